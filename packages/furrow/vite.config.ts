@@ -5,7 +5,7 @@ import manifest from './package.json' with { type: 'json' }
 
 const src = (path: string) => fileURLToPath(new URL(`src/${path}`, import.meta.url))
 
-/** Sources of the published entries, by their files in dist without the ending. */
+/** Source file of each published entry, by its path in `dist` without `.js`. */
 const ENTRIES = Object.fromEntries(
   Object.values(manifest.exports)
     .filter((entry) => typeof entry === 'object')
@@ -18,22 +18,22 @@ const ENTRIES = Object.fromEntries(
 const PEERS = Object.keys(manifest.peerDependencies)
 
 /**
- * Builds each published entry as one file, with chunks for what several entries share and for what is imported dynamically. No
- * module is in two files, so all entries have the same classes and registries.
+ * Builds one file for each published entry. Modules that several entries share, and modules that are imported dynamically, are in chunks. No
+ * module is in two files, so all entries share the same classes and registries.
  */
 export default defineConfig({
   logLevel: 'warn',
   resolve: { conditions: ['furrow-source', 'module', 'browser', 'development|production'] },
   plugins: [workerAsText()],
   build: {
-    // `tsc` has written the types there.
+    // `dist` already contains the type declarations that `tsc` has written.
     emptyOutDir: false,
     sourcemap: true,
     minify: false,
     target: 'es2022',
     lib: { entry: ENTRIES, formats: ['es'] },
     rolldownOptions: {
-      // Needed by the chunks below. No module of an entry is imported by another chunk, so none gets further exports.
+      // `codeSplitting` requires this option. Entries would get additional exports if a chunk imported an entry, but no chunk does.
       preserveEntrySignatures: 'allow-extension',
       external: (id) => PEERS.some((peer) => id === peer || id.startsWith(`${peer}/`)),
       output: {
@@ -43,17 +43,20 @@ export default defineConfig({
           includeDependenciesRecursively: false,
           groups: [{ name: chunkOf, debugName: 'rooms' }],
         },
-        // Readable, and the same in every build.
+        // Full names are readable, and do not change between builds.
         minifyInternalExports: false,
-        // The package has the sources.
+        // The published package contains the source files.
         sourcemapExcludeSources: true,
       },
     },
   },
 })
 
-/** Rooms that are chunks: the first one that has a module. Engines and frameworks, whose rooms are not listed, have a chunk each. */
-const CHUNKS: [chunk: string, room: RegExp][] = [
+/**
+ * Chunks of modules that entries import statically. A module is put into the first chunk whose pattern matches its path in `src`. A module
+ * without a match is put into a chunk with the name of its folder, unless the folder is in `SINGLE_ENTRY`.
+ */
+const CHUNKS: [chunk: string, pattern: RegExp][] = [
   ['webgl', /^three\/webgl\//],
   ['webgpu', /^three\/webgpu\//],
   [
@@ -62,10 +65,10 @@ const CHUNKS: [chunk: string, room: RegExp][] = [
   ],
 ]
 
-/** Rooms of one entry each, which has them in its own file. */
+/** Folders whose modules belong to one entry. They are put into the file of this entry. */
 const SINGLE_ENTRY = /^(author|gltf|inspector)\//
 
-/** The same of modules that are imported dynamically, and of what only these import. */
+/** Chunks of modules that are only loaded by a dynamic import. A module is put into the first chunk whose pattern matches its path. */
 const LAZY_CHUNKS: typeof CHUNKS = [
   ['relief-webgl', /^three\/webgl\/relief\//],
   ['relief-webgpu', /^three\/webgpu\/relief\//],
@@ -77,7 +80,10 @@ interface Graph {
   getModuleInfo(id: string): { isEntry: boolean; importers: string[] } | null
 }
 
-/** Few chunks, by rooms: a page without a bundler requests each. Bundlers leave out what a page does not use of them. */
+/**
+ * Returns the chunk of a module, or null if the bundler decides. There are only a few chunks, because a page without a bundler sends a request
+ * for each. Bundlers remove unused code from chunks.
+ */
 function chunkOf(id: string, graph: Graph): string | null {
   if (!id.startsWith(src('')) || graph.getModuleInfo(id)?.isEntry) return null
   const path = id.slice(src('').length)
@@ -86,12 +92,12 @@ function chunkOf(id: string, graph: Graph): string | null {
 }
 
 function nameIn(chunks: typeof CHUNKS, path: string): string | null {
-  return chunks.find(([, room]) => room.test(path))?.[0] ?? null
+  return chunks.find(([, pattern]) => pattern.test(path))?.[0] ?? null
 }
 
 const eager = new Map<string, boolean>()
 
-/** Whether an entry imports a module, not dynamically. The library has no circular imports. */
+/** Whether an entry imports a module statically, directly or through other modules. The library has no circular imports. */
 function isEager(id: string, graph: Graph): boolean {
   const known = eager.get(id)
   if (known !== undefined) return known
@@ -101,7 +107,7 @@ function isEager(id: string, graph: Graph): boolean {
   return found
 }
 
-/** Puts the worker of `furrow/auto` into the package as one string, see src/auto/start-worker.ts. */
+/** Replaces `src/auto/start-worker.ts` by a module that contains the bundled worker of `furrow/auto` as a string. */
 function workerAsText(): Plugin {
   return {
     name: 'worker-as-text',
@@ -119,12 +125,12 @@ function workerAsText(): Plugin {
       const [{ code }] = output
       return `const SOURCE = ${JSON.stringify(code)}
 
-/** A hash of the code in the worker. */
+/** Hash of the worker's code. */
 export const version = '${createHash('sha256').update(code).digest('hex').slice(0, 16)}'
 
 let address
 
-/** Starts the worker. The address is kept for the next one. */
+/** Starts the worker. All workers share one Blob URL. */
 export function startWorker() {
   address ??= URL.createObjectURL(new Blob([SOURCE], { type: 'text/javascript' }))
   return new Worker(address)

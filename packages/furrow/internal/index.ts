@@ -1,10 +1,13 @@
 /**
- * `furrow/internal`: engine-independent functions and types that other packages of this repository import, but that users cannot. It is not
- * published: the package has no `exports` entry for it. `scripts/lib/sources.mjs` and `tsconfig.base.json` resolve the name.
+ * Engine-independent functions and types for other packages of this repository, which import this module as `furrow/internal`. Users cannot
+ * import it, because `package.json` has no `exports` entry for it. `scripts/lib/sources.mjs` and `tsconfig.base.json` resolve the name.
  */
 
+export { LINE_REGIONS } from '../src/author/auto/anatomy/region-names.ts'
 export { AUTO_STEPS, strokesOf } from '../src/author/auto/auto.ts'
 export type { AutoBlood, BloodArea } from '../src/author/auto/blood/draw-blood.ts'
+export { BULGES_FROM } from '../src/author/auto/bulges/bulge-driver.ts'
+export type { BulgeArea } from '../src/author/auto/bulges/draw-bulges.ts'
 export type { MissingRegion } from '../src/author/auto/fit/fit-driver.ts'
 export type { AutoFurrows, FurrowArea } from '../src/author/auto/furrows/draw-net.ts'
 export { halfSide, heightLevels } from '../src/author/auto/raster/half-side.ts'
@@ -49,11 +52,24 @@ export {
   type StrokePoint,
   strokeCurves,
 } from '../src/author/strokes/edit/curve-in-space.ts'
+export { detachStroke } from '../src/author/strokes/edit/detach.ts'
+export { type Fork, findForks } from '../src/author/strokes/edit/forks.ts'
 export { type MirrorPlane, mirrorStroke } from '../src/author/strokes/edit/mirror.ts'
+export {
+  type ChangedStrokes,
+  type ForkedStrokes,
+  knotAt,
+  moveFork,
+  pullBranches,
+  withForkPoints,
+  withPoint,
+} from '../src/author/strokes/edit/move-forks.ts'
 export { splineOf } from '../src/author/strokes/edit/spline-of.ts'
-export { knotsOf, traceStroke, uvOf } from '../src/author/strokes/edit/traced-stroke.ts'
-export { BANK_WIDTHS } from '../src/author/strokes/lay-out.ts'
-export { GROUP_SHAPE, type PaintedArea, paintArea, paintedNames } from '../src/author/strokes/paint-areas.ts'
+export { type StrokeLine, StrokeLines } from '../src/author/strokes/edit/stroke-lines.ts'
+export { traceStroke, uvOf } from '../src/author/strokes/edit/traced-stroke.ts'
+export { BANK_WIDTHS, isBulge } from '../src/author/strokes/lay-out.ts'
+export { hasOnset } from '../src/author/strokes/onset.ts'
+export { groupShape, type PaintedArea, paintArea, paintedNames } from '../src/author/strokes/paint-areas.ts'
 export { drawUvLayout, type UvLayoutOptions } from '../src/author/uv-layout.ts'
 export { BLOOD_AMPLITUDE, changedBlood, valleyBlood } from '../src/author/valley-blood.ts'
 export { buffersOf } from '../src/auto/buffers.ts'

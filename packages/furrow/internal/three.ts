@@ -1,4 +1,4 @@
-/** `furrow/internal/three`: functions of the three.js integration that other packages of this repository import, but that users cannot. */
+/** Functions of the three.js integration for other packages of this repository, which import this module as `furrow/internal/three`. */
 
 export { movingCopy } from '../src/inspector/moving-copy.ts'
 export { PoseWatch } from '../src/inspector/pose-watch.ts'
@@ -21,6 +21,7 @@ export {
   wrinkledMaterials,
 } from '../src/three/loader/read-wrinkle-maps.ts'
 export { readsNormalMap, surfaceOf } from '../src/three/material/surface.ts'
+export { copyUvTransform } from '../src/three/material/textures.ts'
 export { bindInputs } from '../src/three/sources/bind-inputs.ts'
 export { coordinates, trianglesOf, vectorsOf } from '../src/three/sources/geometry-arrays.ts'
 export { bindTension } from '../src/three/sources/tension.ts'

@@ -1,19 +1,17 @@
 /**
  * Fills texels outside UV islands, because filtering and mipmaps read them. There are three methods:
  *
- * - `extendPlanes` is for values that are computed from a position on the skin: strokes, and the heights, occlusion, areas and strain of
- *   `autoWrinkles`. It supplies positions outside the islands, so that maps look the same on both sides of a UV seam.
- * - `copyNearest` is for the metric. Area polygons and slopes read the metric at any texel, and a copied metric stays positive definite.
- * - `dilate` is for `bakeMaps` and `targetArea`, which have values for covered texels only. It averages neighbours to hide steps.
- *
- * Normals computed from heights need no filling: they derive from heights and metric, which are already filled.
+ * - `extendPlanes` supplies positions outside the islands, for maps that are computed from positions on the skin. Such maps look the same on
+ *   both sides of a UV seam.
+ * - `copyNearest` copies the nearest value. It fills the metric (see `Metric`), because a copied metric stays positive definite.
+ * - `dilate` averages neighbours to hide steps. It fills maps that have values only inside the islands, such as baked maps.
  */
 
 import { length2 } from '../math/vector.ts'
 
-/** Texels outside an island that filtering without mipmaps reads. */
+/** Width in texels of the margin around islands in maps without mipmaps. */
 export const FILTER_MARGIN = 3
-/** Texels outside an island that maps with mipmaps need. Filtering reads 12 texels at the third level, and slopes read 2 more. */
+/** Width in texels of the margin around islands in maps with mipmaps. Filtering the third mipmap reads 12 texels, and slopes read 2 more. */
 export const MIPMAP_MARGIN = 14
 
 /** Triangle edge at the border of an island, in texels. */
@@ -26,18 +24,18 @@ export interface BorderEdge {
   dy: number
 }
 
-/** Maximum number of edges, shorter than a texel, that start in the same texel. Further ones are ignored, because they add little. */
+/** Maximum number of edges that are shorter than a texel and start in the same texel. More edges would hardly change the result. */
 const MAX_SHORT_EDGES = 8
-/** Width and height, in texels, of the blocks into which the map is divided. A block is skipped if all its texels have a nearer edge. */
+/** The map is divided into blocks of this width and height in texels. An edge skips the blocks whose texels all have a nearer edge. */
 const BLOCK = 4
 /** Factor that allows for single-precision rounding of a squared distance. */
 const ROUNDING = 1.000001
 
 /**
  * Assigns each free texel within `margin` texels of a border edge to the triangle of the nearest edge. The caller extends that triangle's
- * plane to the texel. Blocks with a nearer edge are skipped, because a mesh can have hundreds of thousands of border edges.
+ * plane to the texel.
  *
- * @param edges called twice.
+ * @param edges returns the border edges; called twice.
  * @param margin maximum distance in texels.
  * @param isFree returns whether a texel may be assigned.
  * @param claim called with the texel and the triangle, and called again for the texel if a later edge is nearer.
@@ -62,7 +60,7 @@ export function extendPlanes(
       const t = along < 0 ? 0 : along > 1 ? 1 : along
       const offX = column - x - t * dx
       const offY = row - y - t * dy
-      // Math.hypot is ten times slower.
+      // `Math.hypot` would be ten times slower than this test and `length2`.
       if (offX * offX + offY * offY > ROUNDING * nearest[texel] ** 2) return
       const distance = length2(offX, offY)
       if (distance > margin || distance >= nearest[texel]) return
@@ -93,7 +91,7 @@ export function extendPlanes(
   }
 }
 
-/** Returns the first and last block in a coordinate range. */
+/** Returns the indices of the first and last block in a coordinate range. */
 function blocksWithin(low: number, high: number, size: number): [first: number, last: number] {
   return [Math.max(Math.floor(low / BLOCK), 0), Math.floor(Math.min(high, size - 1) / BLOCK)]
 }
@@ -113,8 +111,8 @@ function* thinned(edges: Iterable<BorderEdge>, width: number, height: number): G
 }
 
 /**
- * Computes, for each block, an upper bound on the distance from its texels to the nearest edge. The bound adds up the steps from the
- * nearest block in which an edge starts (Rosenfeld and Pfaltz 1968, Distance functions on digital pictures).
+ * Computes, for each block, an upper bound on the distance from its texels to the nearest edge. The bound is the length of a path over
+ * neighbouring blocks to a block in which an edge starts (Rosenfeld and Pfaltz 1968, Distance functions on digital pictures).
  */
 function distanceBounds(edges: Iterable<BorderEdge>, width: number, height: number): Float32Array {
   const [blocks, rows] = [Math.ceil(width / BLOCK), Math.ceil(height / BLOCK)]
@@ -124,7 +122,7 @@ function distanceBounds(edges: Iterable<BorderEdge>, width: number, height: numb
     const isInside = column >= 0 && column < blocks && row >= 0 && row < rows
     if (isInside) bounds[row * blocks + column] = Math.SQRT2 * BLOCK
   }
-  // Forward pass with the left and upper neighbours, then backward with the right and lower ones.
+  // Forward pass over the left and upper neighbours, then backward pass over the right and lower neighbours.
   for (const sign of [1, -1]) {
     for (let n = 0; n < bounds.length; n++) {
       const block = sign > 0 ? n : bounds.length - 1 - n
@@ -172,8 +170,8 @@ export function copyNearest(known: Uint8Array, width: number, maps: readonly Flo
 }
 
 /**
- * Extends values outwards ring by ring, so that filtering and mipmaps show no seams around UV islands. Each new texel gets the mean of
- * its eight neighbours that are already known.
+ * Extends values outwards ring by ring, so that filtering and mipmaps show no seams around UV islands. Each new texel gets the mean of its
+ * known neighbours (up to eight).
  *
  * @param known 1 where a texel has a value; set to 1 for the texels filled.
  * @param width map width in texels.

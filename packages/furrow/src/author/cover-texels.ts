@@ -1,15 +1,15 @@
 import { type PixelBox, rasterize } from '../math/rasterize.ts'
 import { uvToTexels } from '../math/triangle.ts'
 
-/** Barycentric tolerance: texels on a shared edge are covered by both triangles despite rounding. */
+/** Barycentric tolerance. It lets both triangles cover the texels on a shared edge, despite rounding. */
 const TOLERANCE = 1e-6
 
 /**
  * Visits the texels whose centres a triangle covers.
  *
- * @param uvs packed uv per vertex, v = 0 at the top. Texels outside 0..1 are skipped.
+ * @param uvs packed uv per vertex, v = 0 at the top. Outside 0..1, no texels are visited.
  * @param vertices indices of the triangle's vertices.
- * @param visit called with the texel's row-major index and its barycentric coordinates.
+ * @param visit called with a texel's row-major index and the barycentric coordinates of its centre.
  */
 export function coverTexels(
   uvs: ArrayLike<number>,

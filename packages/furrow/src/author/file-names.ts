@@ -1,7 +1,7 @@
 /** Maximum length in UTF-8 bytes. Encrypted folders (eCryptfs) allow 143 bytes, which must also hold an extension and a temporary suffix. */
 const MAX_BYTES = 100
 
-/** Characters that some file system or shell rejects or hides: reserved, invisible, and dots or spaces at either end. */
+/** Characters that some file system or shell rejects or hides: reserved and invisible characters, and dots or spaces at either end. */
 const UNSAFE = /[<>:"/\\|?*\p{Cc}\p{Cf}\p{Cs}\p{Cn}\p{Zl}\p{Zp}]|^[ .]+|[ .]+$/gu
 
 /** Reserved device names on Windows, with any extension. */
@@ -9,7 +9,7 @@ const DEVICE = /^(con|prn|aux|nul|conin\$|conout\$|(com|lpt)[0-9¹²³])(?=\.|$)
 
 /**
  * Derives file names without extension from layer or area names. The file names are valid on every file system, and stay distinct on file
- * systems that ignore case or Unicode normalisation. Valid names are kept unless two of them collide: then the first one is kept.
+ * systems that ignore case or Unicode normalisation. Valid names are kept. If two valid names collide, only the first one is kept.
  *
  * @param names distinct names of any characters.
  * @returns one file name per name: at most 100 bytes in UTF-8, plus a number if needed to make it unique.
@@ -24,7 +24,7 @@ export function fileNamesOf(names: readonly string[]): string[] {
     taken.add(folded(unique))
     fileNames[index] = unique
   }
-  // Valid names are assigned first, so that no changed name takes their place: `pack` finds a layer's maps by the layer's name.
+  // Assign valid names first, so that they stay unchanged. `pack` finds a layer's maps by the layer's name.
   const changed: number[] = []
   for (const [i, name] of names.entries()) {
     if (isFileName(name) && !taken.has(folded(name))) take(i)
@@ -57,7 +57,7 @@ function shortened(text: string): string {
   return text.slice(0, length)
 }
 
-/** Returns a key that is equal for names that some file system treats as the same. */
+/** Returns a key that is the same for all names that some file system treats as equal. */
 function folded(name: string): string {
   return name.normalize('NFKC').toUpperCase().toLowerCase()
 }

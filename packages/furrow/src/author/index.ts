@@ -34,6 +34,7 @@ export {
 export { insertPoint, removePoint, smoothStroke } from './strokes/edit/points.ts'
 export { splitStroke } from './strokes/edit/split.ts'
 export { type HeightMap, strokesToHeight } from './strokes/height.ts'
+export { strokesToOnset } from './strokes/onset.ts'
 export { paintAreas } from './strokes/paint-areas.ts'
 export { StrokeLayer, type StrokeLayerOptions } from './strokes/stroke-layer.ts'
 export { targetArea } from './target-area.ts'

@@ -33,16 +33,15 @@ export interface Metric {
   inside: Uint8Array
 }
 
-/** Millimetres per unit of a model in metres, the unit of glTF. */
+/** Millimetres per metre. Positions in glTF are in metres. */
 export const MILLIMETRES_PER_METRE = 1000
 
 /** Minimum squared sine of the angle between dP/du and dP/dv. It keeps distances finite on degenerate triangles. */
 const MIN_SQUARED_SINE = 1e-4
 
 /**
- * Computes the metric of a mesh. At each vertex, the forms of its triangles are averaged, weighted by area, so that facets do not show. The
- * means are interpolated across triangles. Texels outside the UV islands copy the nearest covered texel. Where triangles overlap, the last
- * triangle wins.
+ * Computes the metric of a mesh. Each vertex gets the area-weighted mean metric of its triangles. The means are interpolated across triangles,
+ * so that facets do not show. Texels outside the UV islands copy the nearest covered texel. Where triangles overlap, the last triangle wins.
  *
  * @param width map width in texels; also the default height.
  * @param scale millimetres per unit of the positions.
@@ -67,7 +66,7 @@ export function surfaceMetric(
     inside: new Uint8Array(texels),
   }
   const forms = vertexForms(mesh, scale)
-  // The last triangle wins: drawing in reverse order writes each texel only once.
+  // The last triangle that covers a texel wins, so triangles are drawn in reverse order, and each texel keeps its first value.
   const triangles = Math.floor(cornerCount(mesh) / 3)
   for (let t = triangles - 1; t >= 0; t--) rasterizeForms(metric, mesh, forms, 3 * t)
   if (!metric.inside.includes(1)) {
@@ -114,7 +113,7 @@ function vertexAt({ indices }: MetricMesh, corner: number): number {
   return indices ? indices[corner] : corner
 }
 
-/** Returns uu, uv and vv per vertex: the area-weighted mean of its triangles, NaN if all its triangles are degenerate. */
+/** Returns uu, uv and vv per vertex: the area-weighted mean over the vertex's triangles, NaN if all of them are degenerate. */
 function vertexForms(mesh: MetricMesh, scale: number): Float64Array {
   const { positions, uvs } = mesh
   const vertices = positions.length / 3

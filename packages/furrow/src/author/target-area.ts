@@ -10,15 +10,15 @@ import type { MetricMesh } from './metric.ts'
 const MARGIN = 2
 /** Factor on the weight of skin that moves without being compressed. It is small, because stretched skin has no wrinkles. */
 const STRETCHED_WEIGHT = 0.12
-/** Minimum weight of moving skin: it must not round to byte 0. */
+/** Minimum weight of moving skin. It must not round to byte 0. */
 const MIN_WEIGHT = 1.5 / 255
-/** Compression from which skin has its full weight, as a fraction of the maximum. Only a few folding triangles reach the maximum itself. */
+/** Fraction of the maximum compression that counts as full compression. Only a few triangles, where the mesh folds, reach the maximum. */
 const FULL_COMPRESSION = 0.35
 
 /**
- * Computes the area of influence of a blendshape or a muscle. Weights grow with the square root of the displacement, from 0 for still skin
- * to 1 at the largest displacement. The area includes all skin that moves and has a soft edge. Stretched skin, for example beyond a
- * muscle's end, gets small weights.
+ * Computes the area of influence of a blendshape or a muscle: a map of weights that tells where its wrinkles appear. Weights grow with the
+ * square root of the displacement, from 0 for still skin to 1 at the largest displacement. The area has a soft edge and includes all skin
+ * that moves. Stretched skin, for example beyond a muscle's end, gets small weights.
  *
  * @param offsets packed xyz displacement per vertex.
  * @param size width and height of the area in texels.
@@ -37,7 +37,7 @@ export function targetArea(mesh: MetricMesh, offsets: ArrayLike<number>, size: n
       known[texel] = 1
     })
   }
-  // Triangles may be too small to cover the centre of a texel.
+  // Triangles may be too small to cover the centre of a texel, so each vertex also writes to the texel that contains it.
   for (const [i, weight] of vertexWeights.entries()) {
     const column = clamp(Math.floor(uvs[2 * i] * size), 0, size - 1)
     const row = clamp(Math.floor(uvs[2 * i + 1] * size), 0, size - 1)

@@ -11,7 +11,7 @@ const SKIN = [214, 212, 210]
 const WIRE = [40, 44, 52]
 const SEAM = [226, 88, 34]
 
-/** Line widths in texels. Edges of at least `SPARSE` texels have `WIRE_OPACITY`; shorter edges are fainter. */
+/** Line widths in texels. Edges that are at least `SPARSE` texels long have the opacity `WIRE_OPACITY`; shorter edges are fainter. */
 const WIRE_WIDTH = 0.8
 const SEAM_WIDTH = 2
 const WIRE_OPACITY = 0.5
@@ -20,7 +20,7 @@ const SPARSE = 12
 /** Opacity of the base colour, 0..1. */
 const BASE_OPACITY = 0.6
 
-/** Direction to the light, which is in front of a face that looks along +z, at the upper left of the picture. */
+/** Direction to the light. The face looks along +z. The light is in front of the face, above it, and on the viewer's left. */
 const LIGHT = [-0.35, 0.45, 0.82]
 
 export interface UvLayoutOptions {
@@ -35,7 +35,7 @@ export interface UvLayoutOptions {
  * @param mesh UVs outside 0..1 are wrapped.
  * @param size width and height of the picture in texels.
  * @returns sRGB with straight alpha, row 0 at v = 0.
- * @throws FurrowError if hundreds of triangles overlap.
+ * @throws FurrowError if hundreds of triangles overlap in UV space.
  */
 export function drawUvLayout(mesh: MetricMesh, size: number, { base }: UvLayoutOptions = {}): RgbaImage {
   const triangles = trianglesOf(mesh, size)
@@ -112,7 +112,7 @@ interface Edge {
 }
 
 function edgesOf({ positions, uvs }: MetricMesh, triangles: readonly LaidTriangle[]): Iterable<Edge> {
-  // Vertices with the same position and UV coordinates are one point of the layout; they differ in their normals, for example.
+  // Merge vertices with the same position and UV coordinates, even if they have different normals.
   const points = new Map<string, number>()
   const pointOf = (vertex: number) => {
     const key =
@@ -167,7 +167,7 @@ function drawLine(
   }
 }
 
-/** Composites a colour over RGBA pixels (Porter and Duff's over operator, straight alpha). */
+/** Composites a colour over RGBA pixels (Porter and Duff's `over` operator, straight alpha). */
 function lay(data: Uint8Array, coverage: Float32Array, colour: readonly number[]): void {
   for (const [i, covered] of coverage.entries()) {
     if (covered === 0) continue

@@ -4,7 +4,7 @@ import { exp } from '../math/elementary.ts'
 import { clamp } from '../math/scalar.ts'
 import type { HeightMap } from './strokes/height.ts'
 
-/** Optical depth, in the green channel, of byte 255 in a generated blood map. */
+/** Amplitude of generated blood maps: the optical depth for green light that byte 255 adds. */
 export const BLOOD_AMPLITUDE = 0.35
 /** Maximum amount of blood in a wrinkle's valley, as a fraction of the amplitude. */
 const VALLEY = 0.3
@@ -25,12 +25,12 @@ export function bloodByte(amount: number): number {
 }
 
 /**
- * Updates a layer's blood map after its lines changed: subtracts the blood of the old valleys and adds the blood of the new ones. Flushes
- * and painted blood stay. All maps have the same size.
+ * Updates a layer's blood map after its wrinkle lines changed: subtracts the blood of the old valleys and adds the blood of the new valleys.
+ * Other blood in the map stays. All maps have the same size.
  *
- * @param blood map with the old lines.
- * @param before `valleyBlood` of the old lines; undefined if `blood` contains no valleys.
- * @param after `valleyBlood` of the new lines.
+ * @param blood map with the blood of the old valleys.
+ * @param before result of `valleyBlood` for the old lines; undefined if `blood` contains no blood of valleys.
+ * @param after result of `valleyBlood` for the new lines.
  */
 export function changedBlood(blood: GrayImage, before: GrayImage | undefined, after: GrayImage): GrayImage {
   const tone = (i: number) => after.data[i] - (before ? before.data[i] : BLOOD_AT_REST)

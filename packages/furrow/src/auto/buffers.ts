@@ -1,4 +1,4 @@
-/** Returns the buffers of all typed arrays in an object or array, for transfer to a worker. Shared buffers are skipped. */
+/** Returns the buffers of all typed arrays in an object or array, to transfer them to a worker. `SharedArrayBuffer`s are skipped. */
 export function buffersOf(data: unknown): ArrayBuffer[] {
   const buffers = new Set<ArrayBuffer>()
   const visit = (value: unknown): void => {

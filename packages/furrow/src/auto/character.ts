@@ -2,37 +2,35 @@ import { joinParts, type SkinPart } from '../author/auto/surface/join-parts.ts'
 import type { TangentFrame } from '../author/normals/height-to-normal.ts'
 import type { Skin } from '../author/skin/surface.ts'
 
-/** Vectors as a vertex buffer stores them, so that the page need not convert them before it sends them to the worker. */
+/** Vectors in the layout of a vertex buffer. A page can send its vertex buffers to the worker without converting them. */
 export interface VectorData {
   array: ArrayLike<number> & ArrayBufferView
   /** Number of array elements from one vector to the next. */
   stride: number
-  /** Index of the first vector's first element. */
+  /** Index of the first element of the first vector. */
   start: number
-  /** Whether the array's integers represent fractions: the largest value of their type represents 1. */
+  /** Whether integers in the array represent fractions. If so, the largest value of their type represents 1. */
   isNormalized: boolean
 }
 
-/** Part of a mesh with its own vertices. */
+/** A part of a mesh. Each part has separate vertices. */
 export interface PartData {
   /** Number of vertices. */
   count: number
-  /** Three vertices per triangle. Default: every three vertices form a triangle. */
+  /** Three vertex indices per triangle. Without indices, every three vertices form a triangle. */
   indices?: ArrayLike<number> | undefined
   positions: VectorData
   uvs: VectorData
-  /** 3 x 3 matrix of the normal map's texture coordinates, column-major; default: identity. */
+  /** Column-major 3 x 3 matrix that transforms texture coordinates of the normal map. Default: identity. */
   uvMatrix?: readonly number[] | undefined
   /** Vertex positions of each blendshape, or offsets if `isRelative`. */
   targets: readonly VectorData[]
   isRelative: boolean
-  /**
-   * Skinning of the part's vertices. `whole` if the whole part is attached to the head joint, undefined if no vertex follows the head.
-   */
+  /** Joints and weights of the part's vertices. `whole` if all vertices follow the head joint; undefined if no vertex does. */
   head?: HeadData | 'whole' | undefined
 }
 
-/** Skinning of vertices with up to four joints each. */
+/** Skinning of vertices. Each vertex has four joints and four weights. */
 export interface HeadData {
   joints: VectorData
   weights: VectorData
@@ -40,24 +38,24 @@ export interface HeadData {
   isHead: readonly boolean[]
 }
 
-/** A mesh. A mesh with several materials is split into one `MeshData` per material. */
+/** A mesh with one material. A mesh with several materials is passed as several `MeshData`. */
 export interface MeshData {
-  /** Names of the mesh and its material, for messages. */
+  /** Names of the mesh and its material, for error messages. */
   label: string
   parts: readonly PartData[]
   /** Names of the blendshapes, in the order of `PartData.targets`. */
   names: readonly string[]
-  /** Names of VRM expressions that move a single target, by target index. */
+  /** Names of VRM expressions that move a single blendshape, by index of the blendshape. */
   expressions?: ReadonlyMap<number, string> | undefined
-  /** 4 x 4 matrix from mesh to world space, column-major. */
+  /** Column-major 4 x 4 matrix from mesh to world space. */
   placement: readonly number[]
-  /** Whether the mesh's material can show wrinkles. */
+  /** Whether wrinkles can be added to the mesh's material. */
   isLit: boolean
   /** Tangent frame in which the renderer reads normal maps. */
   frame: TangentFrame
 }
 
-/** Meshes of a character that have blendshapes. One of them is the skin. */
+/** All meshes of a character that have blendshapes. One of them is the skin. */
 export type CharacterData = readonly MeshData[]
 
 export function skinOf({ parts, names, expressions, placement }: MeshData): Skin {
@@ -104,7 +102,7 @@ function read(data: VectorData, size: number, vertices: Uint32Array, out: Float3
   const largest = isNormalized ? maxOf(array) : 1
   for (let i = 0; i < vertices.length; i++) {
     const first = start + stride * vertices[i]
-    // For example, -128 and -127 both mean -1 (glTF 2.0, 3.6.2.2).
+    // Normalised signed integers have two values for -1, e.g. -128 and -127 (glTF 2.0, 3.6.2.2).
     for (let k = 0; k < size; k++) {
       const value = array[first + k]
       out[size * i + k] = isNormalized ? Math.max(value / largest, -1) : value
@@ -115,7 +113,7 @@ function read(data: VectorData, size: number, vertices: Uint32Array, out: Float3
 function maxOf(array: ArrayBufferView): number {
   const bits = 8 * (array as Uint8Array).BYTES_PER_ELEMENT
   const isSigned = array instanceof Int8Array || array instanceof Int16Array || array instanceof Int32Array
-  return 2 ** (isSigned ? bits - 1 : bits) - 1
+  return 0xffffffff >>> (32 - (isSigned ? bits - 1 : bits))
 }
 
 function transformUvs(uvs: Float32Array, m: readonly number[]): void {

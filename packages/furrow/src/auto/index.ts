@@ -4,7 +4,7 @@
  * @module furrow/auto
  */
 
-// Only types are exported from `furrow/author`: on pages without a bundler, a value would fetch all of its modules.
+// This module exports only types of `furrow/author`. Exporting a value would make pages without a bundler fetch all modules of `furrow/author`.
 export type { AutoRegion } from '../author/auto/anatomy/region-names.ts'
 export type { AutoArea, AutoProgress, AutoWrinkles } from '../author/auto/auto.ts'
 export type { AutoOptions } from '../author/auto/options.ts'

@@ -2,21 +2,24 @@
  * Caches generated wrinkles in the browser's Cache Storage. A result is compressed and stored under a hash of its input. The cache contains
  * at most 32 results, all of the same version of the code.
  *
- * Cache Storage needs no schema and no transactions, unlike IndexedDB, and as many browsers support it. On some pages it is not available,
- * for example over HTTP, in private windows, with blocked storage or a full disk. There, nothing is cached, and no error is reported.
+ * Cache Storage is simpler to use than IndexedDB, because it needs no schema and no transactions. Cache Storage can be
+ * unavailable: for example, over HTTP, in private windows, or if the disk is full. Then nothing is cached, and no error is reported.
  */
 
 const PREFIX = 'furrow-auto-'
 const MAX_ENTRIES = 32
 
-/** Computes the SHA-256 of JSON data that may contain typed arrays, in hexadecimal. Undefined over HTTP, which has no `crypto.subtle`. */
+/**
+ * Computes the hexadecimal SHA-256 of data that `pack` accepts. Returns undefined on pages loaded over HTTP, where browsers do not offer
+ * `crypto.subtle`.
+ */
 export async function keyOf(data: unknown): Promise<string | undefined> {
   if (!globalThis.crypto?.subtle) return undefined
   const hash = await crypto.subtle.digest('SHA-256', await pack(data).arrayBuffer())
   return Array.from(new Uint8Array(hash), (byte) => byte.toString(16).padStart(2, '0')).join('')
 }
 
-/** Returns the cached data of a key; undefined if missing or unreadable. */
+/** Returns the cached data of a key, or undefined if there is none or it cannot be read. */
 export async function recall<T>(version: string, key: string | undefined): Promise<T | undefined> {
   if (key === undefined) return undefined
   try {
@@ -30,7 +33,7 @@ export async function recall<T>(version: string, key: string | undefined): Promi
 /**
  * Caches data under a key.
  *
- * @param copied called once the data is copied. From then on, the caller may change or transfer it.
+ * @param copied is called when the data has been copied. Afterwards, the caller may change or transfer the data.
  */
 export async function keep(
   version: string,
@@ -50,7 +53,7 @@ export async function keep(
     for (const request of oldest) await cache.delete(request)
     await cache.put(addressOf(key), compress(blob))
   } catch {
-    // Caching is optional: without it, the next visit makes the data again.
+    // Caching is optional. If it fails, the next visit generates the data again.
   }
 }
 
@@ -70,8 +73,8 @@ function expand({ body }: Response): Promise<ArrayBuffer> {
 const ARRAYS = { Uint8Array, Uint16Array, Uint32Array, Float32Array, Float64Array }
 
 /**
- * Packs data into bytes: the length of a JSON text, the JSON text, and the typed arrays. Each of them is aligned to 8 bytes. In the JSON
- * text, `{ array: TYPE, length }` represents a typed array.
+ * Packs JSON data that may contain typed arrays into bytes. The bytes consist of the length of a JSON text, the JSON text, and the typed
+ * arrays. Each part is padded to a multiple of 8 bytes. In the JSON text, `{ array: TYPE, length }` stands for a typed array.
  */
 function pack(data: unknown): Blob {
   const parts: BlobPart[] = []
@@ -91,7 +94,7 @@ function unpack(buffer: ArrayBuffer): unknown {
   return JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, 8, length)), (_, value) => {
     const Type = ARRAYS[value?.array as keyof typeof ARRAYS]
     if (!Type) return value
-    // Each array gets a buffer of its own, so that it can be transferred.
+    // Each array gets a separate buffer, so that it can be transferred to another thread.
     const array = new Type(buffer.slice(at, at + value.length * Type.BYTES_PER_ELEMENT))
     at += array.byteLength + (-array.byteLength & 7)
     return array

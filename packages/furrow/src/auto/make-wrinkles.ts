@@ -5,23 +5,25 @@ import { autoWrinkleSet } from '../author/auto/wrinkle-set.ts'
 import { BLOOD_AT_REST } from '../core/blood.ts'
 import { FurrowError } from '../core/error.ts'
 import type { ImageArray } from '../core/image-array.ts'
+import { packChannels } from '../core/maps/pack-channels.ts'
 import { packColours } from '../core/pack.ts'
-import { packPairs } from '../core/pack-pairs.ts'
 import type { Area, Layer } from '../core/types.ts'
 import type { WrinkleDriver } from '../drivers/registry.ts'
 import { type CharacterData, skinOf } from './character.ts'
 import { keep, keyOf, recall } from './kept.ts'
 
-/** Wrinkles for the skin of a character. */
+/** Generated wrinkles for the skin of a character. */
 export interface CharacterWrinkles {
-  /** Index of the skin's mesh. */
+  /** Index of the mesh that was chosen as the skin. */
   mesh: number
-  /** Names of the layers. The maps below are in the same order. */
+  /** Names of the layers. The maps of this object are in the same order. */
   layers: string[]
   normals: ImageArray
-  /** Images with two channels: occlusion and blood. */
-  occlusionAndBlood: ImageArray
-  /** Optical depth, in the green channel, of value 255 in the blood maps. */
+  /** Images with four channels: occlusion, blood, onset, and an unused one. */
+  values: ImageArray
+  /** For each layer, whether it has an onset map. */
+  hasOnset: boolean[]
+  /** Optical depth for green light that byte 255 of a blood map adds. */
   bloodAmplitude: number
   /** Height map of each layer, and the difference in height between black and white, in metres. */
   heights: Pick<Layer, 'height' | 'heightAmplitude'>[]
@@ -30,11 +32,11 @@ export interface CharacterWrinkles {
 }
 
 /**
- * Chooses the skin among a character's meshes, as the command `furrow auto` does, and makes wrinkles for it. If the cache has these
- * wrinkles, they are not made again.
+ * Chooses the skin among a character's meshes, as the command `furrow auto` does, and makes wrinkles for it. If the cache contains these
+ * wrinkles, `made` receives the cached wrinkles.
  *
- * @param version version of the code; the cache only returns results of the same version.
- * @param made receives the wrinkles. It may transfer their buffers.
+ * @param version version of the code. Cached results of other versions are not used.
+ * @param made receives the wrinkles, and may transfer their buffers.
  * @returns a promise that resolves when the wrinkles are cached, or when caching has failed.
  */
 export async function makeCharacterWrinkles(
@@ -63,11 +65,12 @@ function packed(wrinkles: AutoWrinkles): Omit<CharacterWrinkles, 'mesh'> {
   const { layers, areas, drivers } = autoWrinkleSet(wrinkles)
   const names = layers.map(({ name }) => name)
   const normals = layers.map(({ normal }) => normal)
-  const pairs = wrinkles.layers.map(({ occlusion }, i) => [occlusion, wrinkles.blood.maps[i]] as const)
+  const maps = wrinkles.layers.map(({ occlusion, onset }, i) => [occlusion, wrinkles.blood.maps[i], onset])
   return {
     layers: names,
     normals: packColours(normals),
-    occlusionAndBlood: packPairs(pairs, [255, BLOOD_AT_REST]),
+    values: packChannels(maps, [255, BLOOD_AT_REST, 0]),
+    hasOnset: wrinkles.layers.map(({ onset }) => onset !== undefined),
     bloodAmplitude: wrinkles.blood.amplitude,
     heights: layers.map(({ height, heightAmplitude }) => ({ height, heightAmplitude })),
     areas,
@@ -79,6 +82,6 @@ function withoutAreas(reason: string): FurrowError {
   return new FurrowError({
     who: 'WrinkleLoaderPlugin',
     problem: `no wrinkles can be made: ${reason}`,
-    remedy: 'draw wrinkles with `npx furrow strokes`, or load the file without the option auto',
+    remedy: 'draw wrinkles with `npx furrow strokes`, or load the file without the `auto` option',
   })
 }

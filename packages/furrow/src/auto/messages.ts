@@ -7,8 +7,8 @@ import type { CharacterData } from './character.ts'
 import type { CharacterWrinkles } from './make-wrinkles.ts'
 
 /**
- * Work that a page requests. `skin` makes wrinkles for a skin. `character` finds the skin among several meshes and makes its wrinkles.
- * `shapes` recognises the blendshapes of a skin.
+ * A job that a page sends to the worker. `skin` makes wrinkles for a skin. `character` chooses the skin among several meshes and makes
+ * wrinkles for it. `shapes` recognises the blendshapes of a skin.
  */
 export type AutoJob =
   | { type: 'skin'; skin: Skin }
@@ -26,18 +26,16 @@ export type AutoRequest = AutoJob & {
   options: AutoOptions
   /** Version of the worker's code. */
   version: string
-  /**
-   * Name of a Web Lock that the worker holds until it ends, so that the page notices its end. Undefined if the browser has no Web Locks.
-   */
+  /** Name of a Web Lock that the worker holds until it ends. The page waits for this lock. Undefined if the browser has no Web Locks. */
   lock?: string | undefined
 }
 
-/** Messages of the worker, in this order: `started`, any number of `progress`, then `made` and `finished`. `failed` ends the sequence. */
+/** A message from the worker. The order is `started`, any number of `progress`, `made`, `finished`. After an error, `failed` is the last. */
 export type AutoReply =
   | { type: 'started'; lock?: string | undefined }
   | { type: 'progress'; done: number; total: number; step: string }
   | { type: 'made'; result: AutoResults[keyof AutoResults] }
-  /** Sent when the worker has nothing left to do. A result of the job `character` is then cached, if possible. */
+  /** Sent when the worker has nothing left to do. For the job `character`, this is after the attempt to cache the result. */
   | { type: 'finished' }
-  /** `parts` are the fields of a FurrowError, from which the page recreates it: messages between threads lose the class of an error. */
+  /** `parts` are the fields of a FurrowError. The page creates the error again, because a message does not keep the class of an error. */
   | { type: 'failed'; parts?: ErrorParts; message: string }

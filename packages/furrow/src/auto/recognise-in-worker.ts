@@ -3,7 +3,7 @@ import type { Skin } from '../author/skin/surface.ts'
 import { runWorker } from './run-worker.ts'
 
 /**
- * Recognises the blendshapes of a skin in a web worker.
+ * Recognises the facial shapes of a skin's blendshapes in a web worker.
  *
  * @returns one entry per blendshape. Rejects with the signal's reason if aborted, and with a FurrowError if the worker fails.
  */

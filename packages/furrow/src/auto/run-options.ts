@@ -2,11 +2,11 @@ import type { AutoProgress } from '../author/auto/auto.ts'
 import { type AutoOptions, checkAutoOptions } from '../author/auto/options.ts'
 import { isObject, wrongArgument } from '../core/argument.ts'
 
-/** Settings of `autoWrinkles`, and of the worker that runs it. */
+/** Options of `autoWrinkles`, and of the web worker that runs it. */
 export interface AutoRunOptions extends AutoOptions {
-  /** Called before each step of the work, and at the end. */
+  /** Is called before each step of the work, and at the end. */
   progress?: AutoProgress
-  /** Aborting this signal ends the worker. */
+  /** Signal that ends the worker when it is aborted. */
   signal?: AbortSignal
 }
 

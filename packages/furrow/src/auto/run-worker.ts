@@ -3,7 +3,7 @@ import type { AutoJob, AutoReply, AutoRequest, AutoResults } from './messages.ts
 import { type AutoRunOptions, checkRunOptions } from './run-options.ts'
 
 /**
- * Starts a web worker, runs one job in it and ends it.
+ * Starts a web worker, runs one job in it, and ends the worker.
  *
  * @param transfer buffers to transfer to the worker instead of copying them.
  * @param who name of the caller in errors.
@@ -35,7 +35,7 @@ export async function runWorker<Job extends AutoJob>(
     signal?.addEventListener('abort', () => fail(signal.reason), { signal: ended.signal })
     let isRunning = false
     worker.onerror = (event) => {
-      // Keep the browser from logging the error: the promise reports it.
+      // The browser must not log the error, because the promise reports it.
       event.preventDefault()
       fail(isRunning ? died(who, event.message) : cannotStart(who, event.message))
     }
@@ -67,11 +67,11 @@ function start(startWorker: () => Worker, who: string): Worker {
 }
 
 /**
- * Calls a function when the worker that holds a lock has ended. Browsers can end a worker without an event, for example if memory runs out,
- * but they always release its locks.
+ * Calls a function when the worker that holds a lock has ended. If memory runs out, browsers end a worker without sending an event, but they
+ * always release its locks.
  */
 function whenFree(lock: string, signal: AbortSignal, call: () => void): void {
-  // The request rejects if aborted, and in documents with an opaque origin, which cannot use locks.
+  // The promise rejects if the signal is aborted. It also rejects in documents with an opaque origin, which cannot use locks.
   navigator.locks.request(lock, { signal }, call).catch(() => {})
 }
 

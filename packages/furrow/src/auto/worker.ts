@@ -9,7 +9,7 @@ import type { AutoReply, AutoRequest, AutoResults } from './messages.ts'
 
 addEventListener('message', ({ data }: MessageEvent<AutoRequest>) => {
   if (!data.lock) return run(data)
-  // The lock is held until the worker ends.
+  // The promise never resolves, so the worker holds the lock until it ends.
   const hold = () => {
     void run(data)
     return new Promise(() => {})

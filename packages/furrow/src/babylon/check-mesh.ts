@@ -6,10 +6,10 @@ import { wrongArgument } from '../core/argument.ts'
 import { FurrowError } from '../core/error.ts'
 import type { ShaderKind } from './shaders/injections.ts'
 
-/** A material whose shader can be patched. */
+/** A material whose shader can be patched to draw wrinkles. */
 export type SkinMaterial = PBRMaterial | StandardMaterial
 
-/** Shader kinds by class name: importing the classes would add both materials to every page. */
+/** Shader kinds by class name of the material. Importing the classes would add the code of both materials to every page. */
 const KINDS: Readonly<Record<string, ShaderKind>> = { PBRMaterial: 'pbr', StandardMaterial: 'standard' }
 
 /** @throws FurrowError if a value is not a mesh of Babylon.js. */

@@ -1,14 +1,14 @@
 import { isSlice } from '../core/check-areas.ts'
 import { FurrowError } from '../core/error.ts'
-import { checkMapSizes } from '../core/map-sizes.ts'
+import { checkMapSizes } from '../core/maps/map-sizes.ts'
 import type { ArraySlice, WrinkleSet } from '../core/types.ts'
 import { checkWrinkleSet } from '../core/wrinkle-set.ts'
-import { copyLayers } from '../runtime/layer-maps.ts'
+import { copyLayers } from '../runtime/maps/layer-maps.ts'
 
 /**
- * Checks a wrinkle set, and copies its layers' maps because textures take ownership of texels. Sets read from files skip this.
+ * Checks a wrinkle set, and copies its layers, because packing replaces the texels of their maps. Sets that a loader reads need no check.
  *
- * @throws FurrowError if the set is malformed, maps of one kind differ in size, or maps are in texture arrays.
+ * @throws FurrowError if the set is malformed, if maps of one kind differ in size, or if maps are slices of texture arrays.
  */
 export function checkSource(source: WrinkleSet<ArraySlice>): WrinkleSet<ArraySlice> {
   checkWrinkleSet(source, 'Wrinkles')

@@ -5,15 +5,15 @@ import { bindFaceTargets } from './sources/face-targets.ts'
 import type { WrinklesBase } from './wrinkles-base.ts'
 
 /**
- * Plays expressions on a face: sets morph targets on every mesh that has them, and activations of its wrinkles. Call `update` once per
- * frame. The player writes nothing while idle, so sliders can move the face too.
+ * Plays facial expressions. Sets morph targets on all meshes of a face, and activations of its wrinkles. Call `update` once per frame.
+ * Between transitions, the player changes nothing, so a page can also move the face with sliders.
  */
 export class ExpressionPlayer extends ExpressionPlayerBase {
   /**
-   * @param face root of the moving meshes: head, eyes, teeth, lashes.
-   * @param wrinkles wrinkles of the face; undefined to play morph targets only.
-   * @param expressions expressions to play, initial one first. Default: those of the file and its VRM, plus the `EXPRESSIONS` that the
-   *   face has shapes for (see `expressionNames`). Unknown shape and area names are skipped with one warning.
+   * @param face root node of all meshes of the face: head, eyes, teeth, lashes.
+   * @param wrinkles wrinkles of the face. Without them, only morph targets move.
+   * @param expressions expressions to play; the first is the initial one. By default, these are all expressions that the face can show:
+   *   those in the file, and presets in `EXPRESSIONS`. Unknown names of blendshapes and areas are skipped with one warning.
    * @throws FurrowError if no mesh under `face` has morph targets.
    */
   constructor(face: Node, wrinkles: WrinklesBase | undefined, expressions?: readonly Expression[]) {

@@ -1,29 +1,30 @@
 import type { Texture } from '@babylonjs/core/Materials/Textures/texture.js'
 import type { Scene } from '@babylonjs/core/scene.js'
 import type { Layer } from '../core/types.ts'
-import { type PackedMaps, packMaps, VALUE_KINDS, type ValueKind } from '../runtime/layer-maps.ts'
-import { PAIR, packPair } from '../runtime/paired-maps.ts'
-import type { ValueLayers } from '../runtime/value-texels.ts'
+import { type PackedMaps, packMaps, VALUE_KINDS, type ValueKind } from '../runtime/maps/layer-maps.ts'
+import { packShared, type SharedKind } from '../runtime/maps/shared-maps.ts'
+import type { ValueLayers } from '../runtime/maps/value-texels.ts'
 import type { MixedLayers } from './shaders/mixing.ts'
 import { colourTexture, mapTexture } from './textures.ts'
 
-/** Textures of a set's layer maps. */
+/** Textures with the maps of all layers of a wrinkle set. */
 export interface LayerTextures {
-  /** Shader parameters. */
+  /** Parameters for generating the shader. */
   readonly mixed: MixedLayers
-  /** Textures by kind of map; occlusion and blood may share the texture of `occlusion`. */
+  /** Textures by kind of map. Occlusion, blood and onset can share a texture, stored under the first kind that the set has. */
   readonly textures: Readonly<Partial<Record<'normal' | ValueKind, Texture>>>
-  /** Normal scale, occlusion strength and blood amplitude per layer. */
+  /** One number per layer, padded to four. */
   readonly normalScale: readonly number[]
   readonly occlusionStrength: readonly number[]
   readonly bloodAmplitude: readonly number[]
+  readonly onsetStrength: readonly number[]
 }
 
 /**
- * Creates the textures of a set's layers.
+ * Creates textures with the maps of layers.
  *
- * @param layers layers whose maps of each kind have one size.
- * @param anisotropy anisotropy of the base map.
+ * @param layers layers of a set. All maps of one kind have the same size.
+ * @param anisotropy anisotropic filtering level of the textures.
  */
 export function createTextures(layers: readonly Layer[], anisotropy: number, scene: Scene): LayerTextures {
   const normals = packMaps(
@@ -47,16 +48,16 @@ export function createTextures(layers: readonly Layer[], anisotropy: number, sce
     normalScale: perLayer(layers.map(({ normalScale }) => normalScale ?? 1)),
     occlusionStrength: perLayer(layers.map(({ occlusionStrength }) => occlusionStrength ?? 1)),
     bloodAmplitude: perLayer(layers.map(({ bloodAmplitude }) => bloodAmplitude ?? 0)),
+    onsetStrength: perLayer(layers.map(({ onsetStrength }) => onsetStrength ?? 1)),
   }
 }
 
 function packValues(layers: readonly Layer[]): [ValueKind, PackedMaps][] {
-  const isPaired = PAIR.every((kind) => layers.some((layer) => layer[kind]))
-  const pair: Partial<Record<ValueKind, PackedMaps>> = isPaired ? packPair(layers) : {}
+  const shared = packShared(layers)
   return VALUE_KINDS.flatMap((kind): [ValueKind, PackedMaps][] => {
     const maps = layers.map((layer) => layer[kind])
     if (!maps.some(Boolean)) return []
-    return [[kind, pair[kind] ?? packMaps(maps, kind)]]
+    return [[kind, shared[kind as SharedKind] ?? packMaps(maps, kind)]]
   })
 }
 

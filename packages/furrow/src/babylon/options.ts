@@ -3,22 +3,22 @@ import { FurrowError } from '../core/error.ts'
 import { DEFAULT_AREA_SIZE, MAX_IMAGE_SIDE, MIN_AREA_SIZE } from '../core/limits.ts'
 import { didYouMean } from '../core/nearest-name.ts'
 
-/** Shading mode: `default` mixes normals and lights once, `off` shows no wrinkles. */
+/** Shading mode. `default` mixes wrinkles into the maps of the material before lighting. `off` draws no wrinkles. */
 export type WrinkleMode = 'default' | 'off'
 
-/** Options of `Wrinkles`; defaults are in `WRINKLES_DEFAULTS`. */
+/** Options of `Wrinkles`. `WRINKLES_DEFAULTS` contains the defaults. */
 export interface WrinklesOptions {
   /** Shading mode, default `default`. */
   mode?: WrinkleMode
-  /** Side of the square grid that areas are resampled to, texels, default 128. */
+  /** Width and height to which areas are resampled, in texels; default 128. */
   areaSize?: number
 }
 
 /** Options of `registerWrinkleMaps`. */
 export interface LoaderOptions extends WrinklesOptions {
   /**
-   * Folder of `basis_transcoder.js` and `basis_transcoder.wasm`, fetched with the first file that has KTX 2 maps. Without a folder, faces
-   * with KTX 2 maps stay plain.
+   * URL of the folder with `basis_transcoder.js` and `basis_transcoder.wasm`, which are fetched when a file has KTX 2 maps. Without this
+   * option, faces with KTX 2 maps are loaded without wrinkles.
    */
   transcoderPath?: string
 }
@@ -38,8 +38,8 @@ export function checkMode(mode: WrinkleMode, who = 'Wrinkles.mode'): void {
 /**
  * Fills in defaults.
  *
- * @param who names the caller in errors.
- * @throws FurrowError if an option is unknown, out of range, or only supported in three.js.
+ * @param who name of the caller in errors.
+ * @throws FurrowError if an option is unknown, is out of range, or is only supported in three.js.
  */
 export function checkOptions(options: WrinklesOptions, who: string): Required<WrinklesOptions> {
   if (!isObject(options)) throw wrongArgument(who, 'options', options, 'an object')
@@ -55,7 +55,7 @@ export function checkOptions(options: WrinklesOptions, who: string): Required<Wr
       remedy: didYouMean(
         unknown,
         known,
-        'remove the option; docs/babylon.md lists the features of three.js only',
+        'remove the option; docs/babylon.md lists the features that Babylon.js lacks',
       ),
     })
   }
@@ -67,7 +67,7 @@ export function checkOptions(options: WrinklesOptions, who: string): Required<Wr
   return { mode, areaSize }
 }
 
-/** @throws FurrowError as `checkOptions`, or if `transcoderPath` is not a string. */
+/** @throws FurrowError if `checkOptions` throws, or if `transcoderPath` is not a string. */
 export function checkLoaderOptions(options: LoaderOptions, who: string): void {
   if (!isObject(options)) throw wrongArgument(who, 'options', options, 'an object')
   const { transcoderPath, ...others } = options

@@ -6,7 +6,7 @@ import type { SharedSet } from './shared-set.ts'
 import { flatNormalTexture } from './textures.ts'
 import { type DrawnFace, WrinklePlugin } from './wrinkle-plugin.ts'
 
-/** Number of faces that a material shows, and a function that removes its wrinkles. */
+/** State of a patched material: the number of faces that use it, and a function that removes the wrinkles from it. */
 interface Patch {
   users: number
   remove(): void
@@ -15,11 +15,12 @@ interface Patch {
 const patches = new WeakMap<SkinMaterial, Patch>()
 
 /**
- * Patches a material to show the wrinkles of a set, or registers another face with it.
+ * Patches a material to draw the wrinkles of a set on one face. If the material is already patched, only registers the face.
  *
- * @param faceOf returns the face of a mesh that is being drawn.
- * @returns a function that unregisters the face; the last one restores the material.
- * @throws FurrowError if the material shows another set.
+ * @param shared the wrinkle set.
+ * @param faceOf returns the face of a mesh that is being drawn, or undefined if the mesh has no wrinkles.
+ * @returns a function that unregisters the face. When the last face is unregistered, the material is restored.
+ * @throws FurrowError if the material already draws another set.
  */
 export function patchMaterial(
   material: SkinMaterial,
@@ -34,7 +35,7 @@ export function patchMaterial(
       who: 'Wrinkles',
       problem: `material "${material.name}" already shows another wrinkle set`,
       limit: 'one set per material',
-      remedy: 'clone the material, or create the wrinkles from those of the other mesh',
+      remedy: 'clone the material, or pass the wrinkles that it shows to `new Wrinkles`',
     })
   }
   const patch = patches.get(material) ?? apply(material, plugin, shared)
@@ -57,13 +58,13 @@ function apply(material: SkinMaterial, plugin: WrinklePlugin, shared: SharedSet)
   return { users: 0, remove }
 }
 
-/** Adds a flat normal map: without one, shaders skip the code that mixes normals. */
+/** Adds a flat normal map to a material. Without a normal map, shaders skip the code that mixes normals. Returns an undo function. */
 function addFlatNormals(material: SkinMaterial): () => void {
   const scene = material.getScene()
   const flat = flatNormalTexture(scene)
   const { invertNormalMapX, invertNormalMapY } = material
   material.bumpTexture = flat
-  // Same as Babylon.js's glTF loader.
+  // The glTF loader of Babylon.js sets the same values.
   material.invertNormalMapX = !scene.useRightHandedSystem
   material.invertNormalMapY = scene.useRightHandedSystem
   return () => {

@@ -8,8 +8,9 @@ import { checkLoaderOptions, type LoaderOptions } from './options.ts'
 import { markRegistered } from './registered.ts'
 
 /**
- * Registers FURROW_wrinkle_maps with Babylon.js's glTF loader, from the next file on. Wrinkles of loaded faces follow morph targets
- * automatically. Copies of a face get their own activations. Further calls replace the options.
+ * Registers the glTF extension FURROW_wrinkle_maps with Babylon.js. Faces in files that are loaded afterwards have wrinkles. The drivers of
+ * a file activate the wrinkles by morph targets and other inputs. Each copy of a face has separate activations. Another call replaces the
+ * options.
  *
  * @throws FurrowError if an option is unknown or out of range.
  */
@@ -17,6 +18,6 @@ export function registerWrinkleMaps(options: LoaderOptions = {}): void {
   checkLoaderOptions(options, 'registerWrinkleMaps')
   markRegistered()
   unregisterGLTFExtension(WRINKLE_MAPS)
-  // Also for files that do not list the extension in `extensionsUsed`, so that they cause a warning.
+  // The argument `false` makes Babylon.js use the extension for all files, even if `extensionsUsed` lacks it. Such files cause a warning.
   registerGLTFExtension(WRINKLE_MAPS, false, (loader) => new WrinkleMapsExtension(loader, options))
 }

@@ -1,6 +1,6 @@
 import { formatProblem } from '../core/error.ts'
 
-/** Whether `registerWrinkleMaps` was called. Babylon.js does not keep a file's JSON, which would tell whether the file has wrinkles. */
+/** Whether `registerWrinkleMaps` was called. */
 let isRegistered = false
 let hasWarned = false
 
@@ -8,7 +8,7 @@ export function markRegistered(): void {
   isRegistered = true
 }
 
-/** Warns once if `registerWrinkleMaps` was never called. */
+/** Logs a warning, only once, if `registerWrinkleMaps` was not called. Loaded files then have no wrinkles. */
 export function warnIfUnregistered(): void {
   if (isRegistered || hasWarned) return
   hasWarned = true

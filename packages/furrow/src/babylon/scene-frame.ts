@@ -1,15 +1,15 @@
 import type { Scene } from '@babylonjs/core/scene.js'
 import { Frame, type FrameEntry, type FrameMember } from '../runtime/frame.ts'
 
-/** A face in a scene. */
+/** A face of a Babylon.js scene. */
 export interface SceneMember extends FrameMember<Scene> {
   /** Whether the face may be drawn in this frame. */
   readonly isShown: boolean
-  /** Adds wrinkles to copies of the mesh that the page has made. */
+  /** Adds wrinkles to all clones and instances that the page has made of the face's meshes. */
   adopt(): void
 }
 
-/** Runs the phases of all visible faces of a scene, once per frame, before the first draw call. */
+/** Updates all visible faces of a scene once per frame, before the first draw call. `Frame` documents the phases of an update. */
 export class SceneFrame extends Frame<Scene> {
   readonly #members = new Map<SceneMember, FrameEntry<Scene>>()
   readonly #scene: Scene
@@ -30,7 +30,7 @@ export class SceneFrame extends Frame<Scene> {
     this.#members.delete(member)
   }
 
-  /** Runs the phases of one member now. Influence is drawn only if a scene is given. */
+  /** Updates one face now. Influence maps are drawn only if a scene is given. */
   run(member: SceneMember, scene: Scene | null): void {
     this.update(this.#members.get(member)!, scene)
   }
@@ -43,7 +43,7 @@ export class SceneFrame extends Frame<Scene> {
 
 const frames = new WeakMap<Scene, SceneFrame>()
 
-/** Returns the frame shared by all faces of a scene. */
+/** Returns the `SceneFrame` of a scene. All faces of the scene share it. */
 export function sceneFrame(scene: Scene): SceneFrame {
   const frame = frames.get(scene) ?? new SceneFrame(scene)
   frames.set(scene, frame)

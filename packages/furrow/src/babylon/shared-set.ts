@@ -5,7 +5,7 @@ import { InfluenceAtlas } from './influence/influence-atlas.ts'
 import { createTextures, type LayerTextures } from './layer-textures.ts'
 import { sceneFrame } from './scene-frame.ts'
 
-/** Areas, textures and influence atlas, shared by all faces with one wrinkle set in one scene. */
+/** Areas, textures and influence atlas of a wrinkle set. All faces with this set in a scene share them. */
 export class SharedSet {
   readonly scene: Scene
   readonly areas: readonly Area[]
@@ -15,9 +15,9 @@ export class SharedSet {
   #users = 0
 
   /**
-   * @param areaSize side of the areas' grid, texels.
-   * @param anisotropy anisotropy of the base normal map.
-   * @throws FurrowError if images of one kind differ in size.
+   * @param areaSize width and height to which areas are resampled, in texels.
+   * @param anisotropy anisotropic filtering level of the textures.
+   * @throws FurrowError if maps of one kind differ in size.
    */
   constructor(
     { layers, areas }: { layers: readonly Layer[]; areas: readonly Area[] },
@@ -37,7 +37,7 @@ export class SharedSet {
     this.#users++
   }
 
-  /** Unregisters a user. The last one frees everything. */
+  /** Unregisters a face. Frees all textures when no face is left. */
   release(): void {
     if (--this.#users > 0) return
     const { targets } = sceneFrame(this.scene)

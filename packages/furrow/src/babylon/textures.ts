@@ -12,12 +12,12 @@ const FORMATS = {
   4: Constants.TEXTUREFORMAT_RGBA,
 } as const
 
-/** Creates a texture of areas, unfiltered because shaders fetch texels. */
+/** Creates a texture array of areas. It has no filtering, because the shader fetches single texels. */
 export function areaTexture(images: ImageArray, scene: Scene): Texture {
   return arrayTexture(images.data, images, scene, Constants.TEXTURE_NEAREST_SAMPLINGMODE)
 }
 
-/** Creates a mipmapped texture of layer maps, with the anisotropy of the base map. */
+/** Creates a texture array of layer maps with mipmaps. */
 export function mapTexture(images: ImageArray, anisotropy: number, scene: Scene): Texture {
   return filtered(
     arrayTexture(images.data, images, scene, Constants.TEXTURE_TRILINEAR_SAMPLINGMODE),
@@ -25,7 +25,7 @@ export function mapTexture(images: ImageArray, anisotropy: number, scene: Scene)
   )
 }
 
-/** Creates a texture of sRGB colours, converted to linear half floats because Babylon.js has no sRGB texture arrays. */
+/** Creates a texture array of sRGB colours with mipmaps. Texels are converted to linear half floats, because Babylon.js has no sRGB arrays. */
 export function colourTexture(images: ImageArray, anisotropy: number, scene: Scene): Texture {
   const linear = Uint16Array.from({ length: 256 }, (_, byte) => ToHalfFloat(linearOf(byte / 255)))
   const data = Uint16Array.from(images.data, (byte) => linear[byte])
@@ -33,7 +33,8 @@ export function colourTexture(images: ImageArray, anisotropy: number, scene: Sce
 }
 
 /**
- * Creates a normal map of one flat texel. Half floats, because no byte is exactly 0.5 and skin without wrinkles must look unchanged.
+ * Creates a normal map of one flat texel. It stores half floats, because no byte encodes exactly 0.5. With bytes, skin without wrinkles
+ * would change slightly.
  */
 export function flatNormalTexture(scene: Scene): RawTexture {
   const [half, one] = [0.5, 1].map(ToHalfFloat)
@@ -52,7 +53,7 @@ export function flatNormalTexture(scene: Scene): RawTexture {
   return texture
 }
 
-/** sRGB decoding, IEC 61966-2-1. */
+/** Converts an sRGB component, 0..1, to linear, 0..1 (IEC 61966-2-1). */
 function linearOf(value: number): number {
   return value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4
 }
@@ -80,7 +81,7 @@ function arrayTexture(
     sampling,
     data instanceof Uint16Array ? Constants.TEXTURETYPE_HALF_FLOAT : Constants.TEXTURETYPE_UNSIGNED_BYTE,
   )
-  // Clamped to the edge, as in the reference.
+  // Coordinates must be clamped to the edge, as in the reference implementation.
   texture.wrapU = texture.wrapV = texture.wrapR = Constants.TEXTURE_CLAMP_ADDRESSMODE
   return texture
 }

@@ -4,10 +4,10 @@ import type { AbstractMesh } from '@babylonjs/core/Meshes/abstractMesh.js'
 import type { Mesh } from '@babylonjs/core/Meshes/mesh.js'
 import { isTiledBy, type UvRanges, uvRanges } from '../math/uv-ranges.ts'
 
-/** Cached UV ranges; null if the coordinates are on the GPU only. */
+/** Cached ranges of texture coordinates; null if the coordinates exist on the GPU only. */
 const knownRanges = new WeakMap<VertexBuffer, UvRanges | null>()
 
-/** Whether the texture coordinates of a map may wrap somewhere on a mesh; see `isTiledBy`. */
+/** Whether the texture coordinates of a map may wrap around on a mesh; see `isTiledBy`. */
 export function isTiled(mesh: AbstractMesh, map: BaseTexture): boolean {
   const { coordinatesIndex } = map
   const kind = coordinatesIndex === 0 ? VertexBuffer.UVKind : `${VertexBuffer.UVKind}${coordinatesIndex + 1}`

@@ -9,7 +9,7 @@ import type { AbstractMesh } from '@babylonjs/core/Meshes/abstractMesh.js'
 import type { SubMesh } from '@babylonjs/core/Meshes/subMesh.js'
 import type { Scene } from '@babylonjs/core/scene.js'
 import type { Cell, Vector4Like } from '../runtime/atlas-cells.ts'
-import { MAP_KINDS, VALUE_KINDS, type ValueKind } from '../runtime/layer-maps.ts'
+import { MAP_KINDS, VALUE_KINDS, type ValueKind } from '../runtime/maps/layer-maps.ts'
 import type { SkinMaterial } from './check-mesh.ts'
 import {
   fragmentInjections,
@@ -21,7 +21,7 @@ import { type MixedLayers, samplerOf } from './shaders/mixing.ts'
 import type { SharedSet } from './shared-set.ts'
 import { isTiled } from './tiling.ts'
 
-/** Properties of a face that are needed to draw its meshes. */
+/** Properties of a face that the plugin needs to draw the meshes of the face. */
 export interface DrawnFace {
   readonly shared: SharedSet
   readonly cells: readonly Cell[]
@@ -29,7 +29,7 @@ export interface DrawnFace {
   readonly hasCells: boolean
 }
 
-/** Uniforms, all `vec4`. */
+/** Names of uniforms. Each uniform is a `vec4`. */
 const UNIFORMS = [
   'furrowPlace',
   'furrowInside',
@@ -38,12 +38,13 @@ const UNIFORMS = [
   'furrowNormalScale',
   'furrowOcclusionStrength',
   'furrowBloodAmplitude',
+  'furrowOnsetStrength',
 ] as const
 
-/** Scratch: location of the drawn mesh's cell. */
+/** Scratch vector with the location of a cell. */
 const place: Vector4Like = { x: 0, y: 0, z: 1, w: 1 }
 
-/** Number of each shader variant, by its code. The number becomes a define, because Babylon.js distinguishes effects by their defines. */
+/** Maps the code of each shader variant to a number. This number is a define, because Babylon.js caches shaders by their defines. */
 const variants = new Map<string, number>()
 
 function variantOf(injections: Injections | null): number {
@@ -61,15 +62,15 @@ const ALL_KINDS: MixedLayers = {
 }
 
 /**
- * Defines that differ between the shader programs of one wrinkle set: whether each instance has its own cell of the atlas, and whether texture
- * coordinates wrap.
+ * Defines of the shader. `FURROW_CELLS` is set if instances have different cells of the influence atlas. `FURROW_TILED` is set if texture
+ * coordinates wrap around.
  */
 const FLAGS = { FURROW_CELLS: false, FURROW_TILED: false }
 
-/** Vertex attribute with the cell of an instance. */
+/** Vertex attribute with the index of an instance's cell. */
 export const CELL = 'furrowCell'
 
-/** Material plugin that shows, on each mesh drawn with a material, the wrinkles of this mesh. */
+/** Material plugin for Babylon.js that draws wrinkles. Meshes that share the material can have different activations. */
 export class WrinklePlugin extends MaterialPluginBase {
   static readonly NAME = 'FurrowWrinkles'
   readonly #kind: ShaderKind
@@ -78,20 +79,21 @@ export class WrinklePlugin extends MaterialPluginBase {
   #fragment: Injections | null = null
   #variant = 0
 
-  /** @param faceOf returns the face of a mesh, or undefined. */
+  /** @param faceOf returns the face of a mesh, or undefined if the mesh has no wrinkles. */
   constructor(material: Material, kind: ShaderKind, faceOf: (mesh: AbstractMesh) => DrawnFace | undefined) {
     super(material, WrinklePlugin.NAME, 300, { FURROW: 0, ...FLAGS }, false)
     this.registerForExtraEvents = true
     this.doNotSerialize = true
     this.#kind = kind
     this.#faceOf = faceOf
-    // Babylon.js collects injection points once, on registration: declare them for all kinds of maps.
+    // Babylon.js collects the injection points once, when the plugin is added. At this time, the plugin must return all points that it may
+    // use later.
     this.#fragment = fragmentInjections(kind, this.#isWgsl, ALL_KINDS)
     this._pluginManager._addPlugin(this)
     this._enable(true)
   }
 
-  /** Set whose wrinkles the material shows, or null. */
+  /** Wrinkle set that the material draws, or null if it draws none. */
   get shared(): SharedSet | null {
     return this.#shared
   }
@@ -136,7 +138,7 @@ export class WrinklePlugin extends MaterialPluginBase {
   }
 
   override getSamplers(samplers: string[]): void {
-    // Lists samplers of all kinds: Babylon.js asks once, and the material may show another set later.
+    // Babylon.js calls this method only once, so samplers for all kinds of maps are listed. The material may draw another set later.
     samplers.push('furrowInfluenceMap')
     for (const kind of MAP_KINDS) {
       samplers.push(samplerOf(kind))
@@ -146,7 +148,7 @@ export class WrinklePlugin extends MaterialPluginBase {
   override getUniforms(language = ShaderLanguage.GLSL) {
     return {
       ubo: UNIFORMS.map((name) => ({ name, size: 4, type: 'vec4' })),
-      // Used by engines without uniform buffers.
+      // Engines without uniform buffers need declarations of the uniforms.
       ...(language === ShaderLanguage.GLSL && {
         fragment: UNIFORMS.map((name) => `uniform vec4 ${name};`).join('\n'),
       }),
@@ -173,12 +175,13 @@ export class WrinklePlugin extends MaterialPluginBase {
     setVector(uniforms, 'furrowPlace', place)
     setVector(uniforms, 'furrowInside', inside)
     uniforms.updateFloat4('furrowGrid', grid.columns, grid.rows, 0.5 / width, 0.5 / height)
-    // Meshes without wrinkles may use the material too.
+    // A limit of 0 turns influence off for meshes without wrinkles that use the same material.
     uniforms.updateFloat4('furrowLimit', face ? 1 : 0, 0, 0, 0)
-    const { textures, normalScale, occlusionStrength, bloodAmplitude } = shared.textures
+    const { textures, normalScale, occlusionStrength, bloodAmplitude, onsetStrength } = shared.textures
     setFour(uniforms, 'furrowNormalScale', normalScale)
     setFour(uniforms, 'furrowOcclusionStrength', occlusionStrength)
     setFour(uniforms, 'furrowBloodAmplitude', bloodAmplitude)
+    setFour(uniforms, 'furrowOnsetStrength', onsetStrength)
     uniforms.setTexture('furrowInfluenceMap', shared.atlas.map)
     for (const kind in textures) {
       uniforms.setTexture(samplerOf(kind as 'normal'), textures[kind as 'normal']!)

@@ -21,14 +21,14 @@ import { CELL, type DrawnFace, WrinklePlugin } from './wrinkle-plugin.ts'
 
 const facesByMesh = new WeakMap<AbstractMesh, WrinkledMesh>()
 
-/** Returns the wrinkles of a mesh, or undefined. Copies made since the last frame get their wrinkles now. */
+/** Returns the wrinkles of a mesh, or undefined. If the mesh is a copy that was made since the last frame, adds its wrinkles first. */
 export function wrinklesOfMesh(mesh: AbstractMesh): WrinkledMesh | undefined {
   const source = (mesh as InstancedMesh).sourceMesh
   if (!facesByMesh.has(mesh) && source) facesByMesh.get(source)?.adopt()
   return facesByMesh.get(mesh) ?? adoptClone(mesh)
 }
 
-/** Clones that have no wrinkles yet, with their source. They get wrinkles before the next frame. */
+/** Maps each clone that has no wrinkles yet to the wrinkles of its source. The clone gets wrinkles before the next frame. */
 const copies = new Map<AbstractMesh, WrinkledMesh>()
 
 function adoptClone(mesh: AbstractMesh): WrinkledMesh | undefined {
@@ -36,7 +36,7 @@ function adoptClone(mesh: AbstractMesh): WrinkledMesh | undefined {
   return facesByMesh.get(mesh)
 }
 
-/** Internals of `Wrinkles`: the meshes, areas and drivers of one face. */
+/** Internal state of `Wrinkles`: the meshes, areas and drivers of one face. `WrinklesBase` documents the methods and their errors. */
 export class WrinkledMesh extends FaceGroup<Scene> implements SceneMember, DrawnFace {
   readonly mesh: AbstractMesh
   readonly shared: SharedSet
@@ -49,9 +49,10 @@ export class WrinkledMesh extends FaceGroup<Scene> implements SceneMember, Drawn
   hasCells = false
 
   /**
-   * @param source a checked set, or a mesh whose set, textures and drivers are shared; activations start at rest. Existing wrinkles of
-   *   `mesh` are replaced.
-   * @throws FurrowError if the mesh or its material is unsupported; the mesh is then unchanged.
+   * Adds wrinkles to a mesh. Replaces existing wrinkles of the mesh.
+   *
+   * @param source a checked wrinkle set, or the wrinkles of another mesh, which then share their set, textures and drivers with this mesh.
+   * @throws FurrowError if the mesh or its material is unsupported. The mesh is then unchanged.
    */
   constructor(
     mesh: AbstractMesh,
@@ -71,7 +72,7 @@ export class WrinkledMesh extends FaceGroup<Scene> implements SceneMember, Drawn
           material.bumpTexture?.anisotropicFilteringLevel ?? 4,
           mesh.getScene(),
         )
-    // Read before the mesh's existing wrinkles are disposed of.
+    // The plan is read now, because `source` may be the existing wrinkles of `mesh`, which are disposed below.
     const plan = isCopy ? source.plan : undefined
     super(Math.max((mesh as Mesh).thinInstanceCount ?? 0, 1), shared.areas, shared.slices)
     this.mesh = mesh
@@ -98,7 +99,6 @@ export class WrinkledMesh extends FaceGroup<Scene> implements SceneMember, Drawn
     return this.#mode
   }
 
-  /** @throws FurrowError if the mode is unsupported, or the material shows another set; the mode then stays unchanged. */
   set mode(mode: WrinkleMode) {
     this.checkInUse('mode')
     checkMode(mode)
@@ -107,7 +107,6 @@ export class WrinkledMesh extends FaceGroup<Scene> implements SceneMember, Drawn
     this.#mode = mode
   }
 
-  /** @throws FurrowError if the material of the mesh cannot be patched, or shows another set. */
   addMesh(mesh: AbstractMesh): void {
     this.checkInUse('addMesh')
     checkIsMesh(mesh, 'Wrinkles.addMesh')
@@ -125,7 +124,6 @@ export class WrinkledMesh extends FaceGroup<Scene> implements SceneMember, Drawn
     })
   }
 
-  /** Updates inputs, drivers and activations now. Influence is drawn only if a scene is given. */
   update(scene: Scene | null): void {
     this.checkInUse('update')
     sceneFrame(this.shared.scene).run(this, scene)
@@ -134,7 +132,7 @@ export class WrinkledMesh extends FaceGroup<Scene> implements SceneMember, Drawn
   /**
    * Replaces the drivers.
    *
-   * @param isLate whether inputs are looked up at the first frame.
+   * @param isLate whether to bind inputs in the next frame instead of now.
    */
   drive(drivers: readonly WrinkleDriver[] | DriverPlan, isLate = false): void {
     this.checkInUse('setDrivers')
@@ -158,7 +156,7 @@ export class WrinkledMesh extends FaceGroup<Scene> implements SceneMember, Drawn
     return this.#mode === 'default' && this.mesh.isEnabled()
   }
 
-  /** Adds wrinkles to clones and instances of the meshes. */
+  /** Adds wrinkles to those clones and instances that have none. */
   adopt(): void {
     for (const [copy, source] of copies) {
       if (source !== this) continue
@@ -171,14 +169,14 @@ export class WrinkledMesh extends FaceGroup<Scene> implements SceneMember, Drawn
     }
   }
 
-  /** Phase 4 of a frame, see `Frame`. */
+  /** Runs phase 4 of a frame: tells the atlas which cells have changed. `Frame` documents the phases. */
   collectInfluence(): boolean {
     if (this.#mode === 'off') return false
     this.shared.atlas.cells.collect(this.cells)
     return true
   }
 
-  /** Phase 5: unused, because there is no composed mode. */
+  /** Does nothing, because Furrow has no `composed` mode in Babylon.js. */
   composeNormals(): void {}
 
   #copyTo(copy: AbstractMesh): void {
@@ -186,7 +184,7 @@ export class WrinkledMesh extends FaceGroup<Scene> implements SceneMember, Drawn
     try {
       new WrinkledMesh(copy, this)
     } catch (error) {
-      // A copy with an unsupported material stays plain.
+      // A copy whose material is unsupported is drawn without wrinkles.
       console.warn((error as Error).message)
     }
   }
@@ -205,7 +203,7 @@ export class WrinkledMesh extends FaceGroup<Scene> implements SceneMember, Drawn
     this.#unpatch.clear()
   }
 
-  /** Writes the cell of each instance to a vertex attribute. */
+  /** Writes the index of each instance's cell to a vertex attribute. */
   #writeCells(mesh: AbstractMesh): void {
     const source = isInstance(mesh) ? mesh.sourceMesh : (mesh as Mesh)
     const first = this.cells[0].index
@@ -237,7 +235,7 @@ export class WrinkledMesh extends FaceGroup<Scene> implements SceneMember, Drawn
   }
 }
 
-/** Returns the face of a mesh if its wrinkles are shown. */
+/** Returns the wrinkles of a mesh, or undefined if there are none or their mode is `off`. */
 function shownOn(mesh: AbstractMesh): WrinkledMesh | undefined {
   const face = facesByMesh.get(mesh)
   return face?.mode === 'default' ? face : undefined

@@ -6,21 +6,21 @@ import type { WrinkledMesh } from './wrinkled-mesh.ts'
 
 const wrinklesByMesh = new WeakMap<WrinkledMesh, WrinklesBase>()
 
-/** Returns the internals of `Wrinkles`. */
+/** Returns the internal state of `Wrinkles`. */
 export function meshOf(wrinkles: WrinklesBase): WrinkledMesh {
-  // The constructor below accepts no other group.
+  // The constructor of `WrinklesBase` accepts no other type.
   return groupOf(wrinkles) as WrinkledMesh
 }
 
-/** Returns the public object for the internals of a face. */
+/** Returns the `WrinklesBase` object of a `WrinkledMesh`, or creates it. */
 export function wrinklesFor(mesh: WrinkledMesh): WrinklesBase {
   return wrinklesByMesh.get(mesh) ?? new WrinklesBase(mesh)
 }
 
 /**
- * Wrinkles on one mesh, on one instance, or on each thin instance. `registerWrinkleMaps` adds them to loaded files. Base class of
- * `Wrinkles`. The material is patched, not replaced, and `dispose` restores it. Copies of the mesh by `clone`, `createInstance` or
- * `instantiateModelsToScene` get their own wrinkles before they are first drawn.
+ * Wrinkles on one mesh, on one instance, or on each thin instance of a mesh. Base class of `Wrinkles`. `registerWrinkleMaps` creates
+ * objects of this class for loaded files. The material of the mesh is patched, and `dispose` restores it. If `clone`, `createInstance`
+ * or `instantiateModelsToScene` copies the mesh, the copy gets separate wrinkles before it is first drawn.
  */
 export class WrinklesBase extends WrinkleFaces {
   constructor(mesh: WrinkledMesh) {
@@ -28,7 +28,7 @@ export class WrinklesBase extends WrinkleFaces {
     wrinklesByMesh.set(mesh, this)
   }
 
-  /** Mesh whose morph targets, skeleton and surface the drivers read. */
+  /** Mesh from which drivers read morph targets, joints and tension. */
   get mesh(): AbstractMesh {
     return meshOf(this).mesh
   }
@@ -41,25 +41,26 @@ export class WrinklesBase extends WrinkleFaces {
   /**
    * Changes the shading mode.
    *
-   * @throws FurrowError if the mode is unsupported, or the material shows another set; the mode then stays unchanged.
+   * @throws FurrowError if the mode is unsupported, or if the material draws another set. The mode then stays unchanged.
    */
   set mode(mode: WrinkleMode) {
     meshOf(this).mode = mode
   }
 
   /**
-   * Adds another mesh that shows the same wrinkles, e.g. a second primitive of the face.
+   * Draws the same wrinkles on another mesh, e.g. on a second primitive of the face.
    *
-   * @throws FurrowError if its material is unsupported, or shows another set.
+   * @throws FurrowError if the material of the mesh is unsupported, or if it draws another set.
    */
   addMesh(mesh: AbstractMesh): void {
     meshOf(this).addMesh(mesh)
   }
 
   /**
-   * Updates inputs, drivers and activations now. Only needed to read activations without drawing: every rendered frame updates them.
+   * Updates inputs, drivers and activations now. Every rendered frame does this, so calling it is only needed to read activations without
+   * rendering.
    *
-   * @param scene scene of the mesh, to draw the influence maps too.
+   * @param scene scene of the mesh. If it is given, influence maps are drawn too.
    */
   update(scene: Scene | null = null): void {
     meshOf(this).update(scene)

@@ -6,26 +6,25 @@ import { warnIfUnregistered } from './registered.ts'
 import { wrinklesOfMesh } from './wrinkled-mesh.ts'
 import { type WrinklesBase, wrinklesFor } from './wrinkles-base.ts'
 
-/** A loaded file: an asset container, an import result, or a copy by `instantiateModelsToScene`. */
+/** A loaded file: an asset container, an import result, or the result of `instantiateModelsToScene`. */
 export type LoadedFile =
   | {
-      /** All meshes of the file. */
       readonly meshes: readonly AbstractMesh[]
     }
   | {
-      /** Roots of a copy. */
+      /** Root nodes of a copy that `instantiateModelsToScene` made. */
       readonly rootNodes: readonly Node[]
     }
 
 /**
- * Returns the wrinkles of a mesh, or undefined.
+ * Returns the wrinkles of a mesh, or undefined if it has none.
  *
  * @throws FurrowError if the argument is neither a mesh nor a loaded file.
  */
 export function wrinklesOf(mesh: AbstractMesh): WrinklesBase | undefined
 /**
- * Returns the wrinkles of a loaded file or a copy of it, one per face. Empty if the file has none, or was loaded before
- * `registerWrinkleMaps` was called. Warns once if that was never called.
+ * Returns the wrinkles of a loaded file or of a copy, one object per face. The list is empty if the file has no wrinkles, or if it was
+ * loaded before `registerWrinkleMaps` was called. Logs a warning if `registerWrinkleMaps` was never called.
  *
  * @throws FurrowError if the argument is neither a mesh nor a loaded file.
  */

@@ -5,14 +5,14 @@ import type { WrinklesOptions } from './options.ts'
 import { WrinkledMesh } from './wrinkled-mesh.ts'
 import { meshOf, WrinklesBase } from './wrinkles-base.ts'
 
-/** Wrinkles on one mesh, from a wrinkle set in memory. */
+/** Wrinkles on one mesh, created from a wrinkle set in memory. */
 export class Wrinkles extends WrinklesBase {
   /**
-   * @param mesh mesh with normals, UVs (v pointing down, as in glTF), and a `PBRMaterial` or `StandardMaterial`. Each thin instance
-   *   wrinkles independently.
-   * @param source wrinkle set, copied. Or the wrinkles of another mesh, to share their textures and drivers; activations start at rest.
-   *   Pass the mesh's own wrinkles to recreate them after a change of its thin instances.
-   * @throws FurrowError if the mesh, its material or the set is invalid; the mesh is then unchanged.
+   * @param mesh mesh with normals, UVs (v pointing down, as in glTF), and a `PBRMaterial` or `StandardMaterial`. Thin instances of the mesh
+   *   have separate activations.
+   * @param source wrinkle set, which is copied, or existing wrinkles, whose textures and drivers are shared. If the number of thin
+   *   instances changes, create the wrinkles again and pass the mesh's existing wrinkles here.
+   * @throws FurrowError if the mesh, its material or the set is invalid. The mesh is then unchanged.
    */
   constructor(
     mesh: AbstractMesh,

@@ -1,6 +1,6 @@
 import { WRINKLE_MAPS } from './maps/declared.ts'
 
-/** Area whose resting activation an animation channel changes. */
+/** Target of a glTF animation channel that animates the resting activation of one area. */
 export interface ActivationPointer {
   /** Index of the material in the file. */
   material: number
@@ -11,9 +11,10 @@ export interface ActivationPointer {
 const POINTER = new RegExp(`^/materials/(\\d+)/extensions/${WRINKLE_MAPS}/areas/(\\d+)/activation$`)
 
 /**
- * Parses a pointer of KHR_animation_pointer, such as `/materials/0/extensions/FURROW_wrinkle_maps/areas/2/activation`.
+ * Parses a JSON pointer of the glTF extension KHR_animation_pointer, such as
+ * `/materials/0/extensions/FURROW_wrinkle_maps/areas/2/activation`.
  *
- * @returns undefined for any other pointer.
+ * @returns undefined if the pointer does not name the activation of an area.
  */
 export function parseActivationPointer(pointer: unknown): ActivationPointer | undefined {
   const match = typeof pointer === 'string' ? POINTER.exec(pointer) : null

@@ -2,14 +2,18 @@ import { FurrowError } from './error.ts'
 import { checkImage } from './image.ts'
 import type { GrayImage } from './types.ts'
 
-/** Meaning of gray in an area's image. `paper`: black = fully visible. `weight`: white = fully visible, as in memory. */
+/**
+ * Meaning of gray in the image of an area. Wrinkles are fully visible at black texels of a `paper` image, and at white texels of a
+ * `weight` image. Areas in memory use `weight`. The `paper` convention is from C. D. G. Reis et al., "Real-time Simulation of Wrinkles",
+ * WSCG 2008.
+ */
 export type AreaConvention = 'paper' | 'weight'
 
 /**
  * Converts a painted gray image to the weights of an area (255 = fully visible).
  *
  * @param image gray, 8 bits per texel; not modified.
- * @param convention meaning of gray in the image; `paper` by default.
+ * @param convention convention of the image; `paper` by default.
  * @param who name of the image in errors.
  * @returns a new image of the same size.
  * @throws FurrowError if the image is malformed, or only one texel wide or high.

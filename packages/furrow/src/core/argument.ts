@@ -3,9 +3,7 @@ import { FurrowError } from './error.ts'
 /**
  * Creates the error for an invalid argument.
  *
- * @param who function that the user called.
  * @param argument name of the argument, without an article.
- * @param limit allowed values.
  */
 export function wrongArgument(who: string, argument: string, value: unknown, limit: string): FurrowError {
   return new FurrowError({

@@ -1,21 +1,21 @@
 /**
- * Absorption of blood in skin: optical depths of linear sRGB channels, relative to green.
+ * Absorption of light by additional blood in skin: optical depths for red, green and blue light (linear sRGB), relative to green.
  *
- * Derived in `test/unit/core/blood.test.ts` from the extinction of haemoglobin at an oxygenation of 0.75 (S. Prahl, "Tabulated Molar
- * Extinction Coefficient for Hemoglobin in Water", OMLC, 1998). The reflection is the dipole model of H. W. Jensen et al. ("A Practical
- * Model for Subsurface Light Transport", 2001). The dermis holds 1% blood; its scattering and bloodless absorption are from S. Jacques
- * ("Skin Optics", OMLC, 1998).
+ * The numbers are derived in `test/unit/core/blood.test.ts` from the extinction of haemoglobin at an oxygenation of 0.75 (S. Prahl,
+ * "Tabulated Molar Extinction Coefficient for Hemoglobin in Water", OMLC, 1998). The test uses the dipole model of reflection (H. W. Jensen
+ * et al., "A Practical Model for Subsurface Light Transport", 2001) and assumes 1% blood in the dermis. The dermis's scattering, and
+ * its absorption without blood, are from S. Jacques ("Skin Optics", OMLC, 1998).
  *
- * The factors hold for all skin tones, because melanin lies above the dermis and transmits a fixed fraction of the light (J. Jimenez et
- * al., "A Practical Appearance Model for Dynamic Facial Color", 2010).
+ * The numbers are valid for all skin tones. Melanin lies above the dermis and scales the light by a factor that does not depend on the
+ * blood (J. Jimenez et al., "A Practical Appearance Model for Dynamic Facial Color", 2010).
  */
 export const BLOOD_ABSORPTION = [0.35, 1, 0.89] as const
 
-/** Byte of a blood map for skin at rest. Full amplitude is 127 above or below. */
+/** Byte of a blood map where blood does not change. Higher bytes redden the skin, lower bytes make it paler. 255 and 1 have full amplitude. */
 export const BLOOD_AT_REST = 128
 
-/** Maximum amplitude, optical depth of green: flushed skin keeps 13% of the green light. The blood in pale skin at rest has less than half. */
+/** Maximum amplitude of a blood map, as the optical depth for green light. At 2, blood absorbs all but 13% of the green light. */
 export const MAX_BLOOD_AMPLITUDE = 2
 
-/** Tolerance around `BLOOD_AT_REST`, in byte steps: texture filters do not return equal texels bit by bit. */
+/** Largest difference from `BLOOD_AT_REST`, in byte steps, that counts as no change. Texture filtering has rounding errors. */
 export const BLOOD_THRESHOLD = 0.01

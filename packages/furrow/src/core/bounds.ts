@@ -1,6 +1,6 @@
 import type { ImageArray } from './image-array.ts'
 
-/** A rectangle of texels: columns x0 to x1 and rows y0 to y1, x1 and y1 excluded; empty if x1 <= x0. */
+/** A rectangle of texels: columns `x0` to `x1 - 1` and rows `y0` to `y1 - 1`. It is empty if `x1 <= x0`. */
 export interface Bounds {
   x0: number
   y0: number
@@ -8,7 +8,7 @@ export interface Bounds {
   y1: number
 }
 
-/** Extends a rectangle to contain another. */
+/** Extends the rectangle `bounds` to contain another rectangle. */
 export function widen(bounds: Bounds, { x0, y0, x1, y1 }: Readonly<Bounds>): void {
   bounds.x0 = Math.min(bounds.x0, x0)
   bounds.y0 = Math.min(bounds.y0, y0)
@@ -16,7 +16,7 @@ export function widen(bounds: Bounds, { x0, y0, x1, y1 }: Readonly<Bounds>): voi
   bounds.y1 = Math.max(bounds.y1, y1)
 }
 
-/** Returns the bounds of all texels above 0 in one slice of a single-channel array; empty if there are none. */
+/** Returns the bounding rectangle of the texels above 0 in one slice of a single-channel array. Without such texels, it is empty. */
 export function boundsOf({ width, height, data }: ImageArray, slice: number): Bounds {
   const bounds = { x0: width, y0: height, x1: 0, y1: 0 }
   const start = slice * width * height

@@ -1,7 +1,7 @@
 import type { GrayImage, RgbaImage } from './types.ts'
 
-/** Channels of single-value maps in their images, as in glTF: 0 = R to 2 = B. Blood shares the image of occlusion. */
-export const CHANNEL = { occlusion: 0, roughness: 1, blood: 2, height: 0 } as const
+/** Image channel that stores each single-channel map: 0 = R, 1 = G, 2 = B. Blood and onset are stored in the image of the occlusion map. */
+export const CHANNEL = { occlusion: 0, roughness: 1, blood: 2, onset: 1, height: 0 } as const
 
 /**
  * Extracts one channel of an image.
@@ -9,7 +9,8 @@ export const CHANNEL = { occlusion: 0, roughness: 1, blood: 2, height: 0 } as co
  * @param channel 0 = R to 3 = A.
  */
 export function channelOf({ width, height, data }: RgbaImage, channel: number): GrayImage {
-  // A Uint8Array made from these 32-bit texels keeps their lowest bytes. This is several times faster than a loop that is not yet optimised.
+  // The copy starts at the channel, so the channel is the lowest byte of each 32-bit texel. Converting 32-bit texels to a Uint8Array keeps
+  // only the lowest bytes. A loop would be several times slower until the JIT compiler optimises it.
   const texels = new Uint8Array(4 * width * height)
   texels.set(data.subarray(channel))
   return { width, height, data: new Uint8Array(new Uint32Array(texels.buffer)) }

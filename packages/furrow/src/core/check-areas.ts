@@ -6,13 +6,13 @@ import { isName, NAME_RULE } from './name.ts'
 import { didYouMean } from './nearest-name.ts'
 import type { Area, ArraySlice } from './types.ts'
 
-/** Whether a map is a slice of an array instead of an image. */
+/** Whether a map is a slice of a texture array. Otherwise, it is an image. */
 export function isSlice(map: object | undefined): map is ArraySlice {
   return isObject(map) && 'slice' in map
 }
 
 /**
- * Checks the areas of a set: 1 to 256 with unique names and existing layers.
+ * Checks the areas of influence of a wrinkle set. There must be 1 to 256 areas with unique names. Each area must be on an existing layer.
  *
  * @throws FurrowError for the first problem found.
  */
@@ -41,7 +41,7 @@ function checkArea(area: Area<ArraySlice>, layers: readonly { name: string }[], 
 }
 
 /**
- * Returns the index of an area's layer; 0 if the area names none.
+ * Returns the index of an area's layer. An area without a layer name is on layer 0.
  *
  * @throws FurrowError if the area names an unknown layer.
  */
@@ -65,7 +65,6 @@ export function layerIndex(
   return index
 }
 
-/** Creates the error for an unknown area name. */
 export function unknownArea(name: string, areas: readonly string[], who: string): FurrowError {
   return new FurrowError({
     code: 'unknown-name',
@@ -77,7 +76,6 @@ export function unknownArea(name: string, areas: readonly string[], who: string)
   })
 }
 
-/** Lists names of areas or layers for an error. */
 export function listNames(named: readonly { name: string }[]): string {
   return named.map(({ name }) => `"${name}"`).join(', ')
 }
@@ -86,7 +84,12 @@ function namesOf(named: readonly { name: string }[]): string[] {
   return named.map(({ name }) => name)
 }
 
-/** @throws FurrowError unless `count` is 1 to `max`; `items` is the plural noun for the error. */
+/**
+ * Checks that a count is from 1 to `max`.
+ *
+ * @param items plural name of the counted objects, for the error.
+ * @throws FurrowError if the count is out of range.
+ */
 export function checkCount(count: number, items: string, max: number, who: string): void {
   if (count >= 1 && count <= max) return
   throw new FurrowError({
@@ -99,7 +102,12 @@ export function checkCount(count: number, items: string, max: number, who: strin
   })
 }
 
-/** @throws FurrowError if a name is invalid or used twice; `kind` is the noun for the error. */
+/**
+ * Checks that names are valid and unique.
+ *
+ * @param kind singular name of the named objects, for the error.
+ * @throws FurrowError if a name is invalid or used twice.
+ */
 export function checkNames(named: readonly { name: string }[], kind: string, who: string): void {
   const seen = new Set<string>()
   for (const { name } of named) {

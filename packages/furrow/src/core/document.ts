@@ -11,40 +11,46 @@ import {
 } from './limits.ts'
 import type { Combine, LayerKind } from './types.ts'
 
-/** The layers and areas of `wrinkles.json`; image URLs are relative to it. */
+/** Contents of `wrinkles.json`, except the drivers that activate areas. All URLs are relative to this file. */
 export interface SetDocument {
   version: 1
-  /** Name of the wrinkled mesh or its node; for `furrow pack`. */
+  /** Name of the wrinkled mesh or of its node. Read by `furrow pack`. */
   mesh?: string
-  /** Name of the wrinkled material; for `furrow pack`. */
+  /** Name of the wrinkled material. Read by `furrow pack`. */
   material?: string
+  /** Maps of fully wrinkled skin. */
   layers: {
     name: string
     kind: LayerKind
-    /** Tangent-space normal map, linear, +Y towards smaller v; `layers/NAME/normal.png` by default. */
+    /** URL of the tangent-space normal map, linear, +Y towards smaller v; `layers/NAME/normal.png` by default. */
     normal: string
     /** Factor for x and y of the normals; default 1. */
     normalScale?: number
-    /** Skin colour, sRGB. */
+    /** URL of the base colour map, sRGB. */
     baseColor?: string
-    /** Roughness in the G channel, linear. */
+    /** URL of the roughness map: G channel, linear. */
     roughness?: string
-    /** Occlusion in the R channel, linear. */
+    /** URL of the occlusion map: R channel, linear. */
     occlusion?: string
     /** 0 = no occlusion, 1 = as in the map; default 1. */
     occlusionStrength?: number
-    /** Height in the R channel, linear, 0.5 = undisplaced skin. */
+    /** URL of the height map: R channel, linear, 0.5 = undisplaced skin. */
     height?: string
-    /** Metres from black to white of the height map; required with `height`. */
+    /** Height difference between black and white, in metres; required with `height`. */
     heightAmplitude?: number
-    /** Blood in the B channel, or a gray image; linear, 128 of 255 = no change. */
+    /** URL of the blood map: B channel or gray image, linear; byte 128 = no change. */
     blood?: string
-    /** Optical depth of green at 255, 0..2; required with `blood`. */
+    /** Amplitude, 0..2: the optical depth for green light that byte 255 of the blood map adds. Required with `blood`. */
     bloodAmplitude?: number
+    /** URL of the onset map: G channel or gray image, linear. Larger values delay wrinkles more; 0 = no delay. */
+    onset?: string
+    /** 0 = the onset map has no effect, 1 = full effect; default 1. */
+    onsetStrength?: number
   }[]
+  /** Areas of influence: images with the location of each controllable group of wrinkles. */
   areas: {
     name: string
-    /** Gray image; `areas/NAME.png` by default. */
+    /** URL of a gray image; `areas/NAME.png` by default. */
     image: string
     /** Name of the layer; default: the first layer. */
     layer?: string
@@ -55,25 +61,24 @@ export interface SetDocument {
     /** Resting activation, 0..1; default 0. */
     activation?: number
   }[]
-  /** Side of the packed areas in texels; default 128. */
+  /** Width and height of packed areas in texels; default 128. */
   areaSize?: number
-  /** URL of the strokes document; for `furrow pack`. */
+  /** URL of a JSON file with strokes (wrinkle lines as curves). Read by `furrow pack`. */
   strokes?: string
-  /** Corrections to the recognised blendshapes, unchecked; for `furrow pack`. */
+  /** The user's choice of a facial shape for each blendshape with an unknown name. Not checked here; read by `furrow pack`. */
   shapes?: unknown
 }
 
-/** The optional maps of a layer. */
-const MAPS = ['baseColor', 'roughness', 'occlusion', 'height', 'blood'] as const
+const MAPS = ['baseColor', 'roughness', 'occlusion', 'height', 'blood', 'onset'] as const
 
-/** Maximum length of a URL. */
+/** Maximum length of a URL, in characters. */
 const MAX_URL_LENGTH = 2048
 
 /**
- * Reads `wrinkles.json`. Drivers are returned unchecked.
+ * Reads and checks `wrinkles.json`, except its drivers and shapes.
  *
  * @param json result of `JSON.parse`.
- * @param convention default for areas without one.
+ * @param convention convention of areas without the field `convention`.
  * @throws FurrowError naming the first field that is missing, has the wrong type or is out of range.
  */
 export function readSetDocument(
@@ -120,8 +125,8 @@ function readLayer(reader: JsonReader, item: unknown, at: string): SetDocument['
   if (json.normalScale !== undefined) {
     layer.normalScale = reader.number(json.normalScale, `${at}.normalScale`, -MAX_NUMBER, MAX_NUMBER, '')
   }
-  if (json.occlusionStrength !== undefined) {
-    layer.occlusionStrength = reader.number(json.occlusionStrength, `${at}.occlusionStrength`, 0, 1, '')
+  for (const field of ['occlusionStrength', 'onsetStrength'] as const) {
+    if (json[field] !== undefined) layer[field] = reader.number(json[field], `${at}.${field}`, 0, 1, '')
   }
   if (layer.height !== undefined || json.heightAmplitude !== undefined) {
     layer.heightAmplitude = reader.number(

@@ -6,7 +6,7 @@
  * - `unknown-name`: no mesh, blendshape, area or option has the name
  * - `unreadable`: file or image missing, truncated or in an unknown format
  * - `unwritable`: file cannot be written
- * - `unsupported`: not supported by the material, renderer or browser, or too little memory
+ * - `unsupported`: the material, renderer or browser lacks a feature, or memory is insufficient
  * - `usage`: invalid command line
  */
 export type ErrorCode =
@@ -18,13 +18,13 @@ export type ErrorCode =
   | 'unsupported'
   | 'usage'
 
-/** The parts of every Furrow error, in the order in which they are printed. */
+/** Parts of an error message. */
 export interface ErrorParts {
   /** Default `invalid`. */
   code?: ErrorCode
   /** Class, function or command that the user called. */
   who: string
-  /** One phrase that names the problem. */
+  /** The problem, as a phrase. */
   problem: string
   /** The rejected value. */
   value?: unknown
@@ -49,13 +49,13 @@ export class FurrowError extends Error implements ErrorParts {
     Object.assign(this, parts, { code: parts.code ?? 'invalid' })
   }
 
-  /** Returns this error in the name of `who`: users should see the function they called, not its helpers. */
+  /** Returns a copy of this error that names `who`, so that users see the function that they called, not its helper. */
   reportedBy(who: string): FurrowError {
     return new FurrowError({ ...this, who }, { cause: this })
   }
 }
 
-/** Formats one problem as one line, for errors and warnings. */
+/** Formats the message of an error or warning as one line. */
 export function formatProblem({ who, problem, value, limit, remedy }: ErrorParts): string {
   const given = value === undefined ? '' : `, got ${printable(value)}`
   const allowed = limit === undefined ? '' : `, allowed: ${limit}`

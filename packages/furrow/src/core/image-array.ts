@@ -1,11 +1,9 @@
 import type { GrayImage, RgbaImage } from './types.ts'
 
 /**
- * Images of one size in one buffer. Texel (x, y) of slice d starts at `(x + y * width + d * width * height) * channels` (section on
- * packing in the paper).
+ * Images of one size in one buffer. Texel (x, y) of slice d starts at index `(x + y * width + d * width * height) * channels`.
  */
 export interface ImageArray {
-  /** Size of each image in texels. */
   width: number
   height: number
   /** Number of images (slices). */
@@ -18,7 +16,7 @@ export interface ImageArray {
 /**
  * Copies images into one array.
  *
- * @param images at least one; all must have one size (unchecked).
+ * @param images at least one image. All must have the same size, which is not checked.
  */
 export function imageArray(images: readonly (GrayImage | RgbaImage)[], channels: 1 | 4): ImageArray {
   const [{ width, height }] = images

@@ -8,8 +8,8 @@ const CHANNELS_OF = { gray: 1, RGBA: 4 } as const
 /**
  * Checks an image's size and the length of its data.
  *
- * @throws FurrowError if a side is not an integer from 1 to 8192, or the data is not width x height x channels bytes long (1 channel
- *   for gray, 4 for RGBA).
+ * @throws FurrowError if the width or height is not an integer from 1 to 8192, or if the data does not have
+ *   `width * height * channels` bytes (1 channel for gray, 4 for RGBA).
  */
 export function checkImage(
   image: GrayImage | RgbaImage,
@@ -30,14 +30,13 @@ export function checkImage(
   }
 }
 
-/** @throws FurrowError if a side is not an integer from 1 to 8192. */
 function checkSides(width: number, height: number, who: string): void {
   for (const side of [width, height]) {
     if (Number.isInteger(side) && side >= 1 && side <= MAX_IMAGE_SIDE) continue
     throw new FurrowError({
       code: 'out-of-range',
       who,
-      problem: 'image side out of range',
+      problem: 'image size out of range',
       value: `${width} x ${height}`,
       limit: `1 to ${MAX_IMAGE_SIDE} texels`,
       remedy: 'resize the image',
@@ -46,11 +45,10 @@ function checkSides(width: number, height: number, who: string): void {
 }
 
 /**
- * Resamples a gray image to a square. Enlarging is bilinear. Shrinking uses a triangle filter as wide as a new texel's footprint, which
- * averages thin features instead of skipping them.
+ * Resamples a gray image to a square. Enlarging is bilinear. Shrinking uses a triangle filter with a radius of one texel of the square.
  *
- * @param size side of the square in texels.
- * @returns the same image if the size matches, otherwise a new one.
+ * @param size width and height of the square in texels.
+ * @returns `image` if it has this size already, otherwise a new image.
  */
 export function resampleGray(image: GrayImage, size: number): GrayImage {
   const { width, height, data } = image
@@ -61,8 +59,8 @@ export function resampleGray(image: GrayImage, size: number): GrayImage {
 }
 
 /**
- * Resamples the rows of an image to another width and transposes the result; two passes restore the orientation. The filter radius is
- * at least one source texel; edges are clamped.
+ * Resamples the rows of an image to `size` texels and transposes the result. A second call resamples the columns and transposes back.
+ * The filter radius is at least one source texel. Edges are clamped.
  */
 function resampleTransposed(
   data: ArrayLike<number>,

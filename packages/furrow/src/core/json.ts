@@ -5,7 +5,10 @@ import { didYouMean } from './nearest-name.ts'
 /** Texture coordinates: u to the right, v downwards, both 0..1. */
 export type Uv = [u: number, v: number]
 
-/** Checks a JSON document field by field. Errors name the path of the field, e.g. `areas[2].name`. */
+/**
+ * Reads and checks a JSON document field by field. All methods throw a FurrowError for invalid values. The error names the path of the
+ * field, e.g. `areas[2].name`.
+ */
 export class JsonReader {
   readonly #who: string
 
@@ -13,7 +16,7 @@ export class JsonReader {
     this.#who = who
   }
 
-  /** Reads an object. Throws for other types, and for keys outside `known` if given. */
+  /** Reads an object. If `known` is given, the object must not have other keys. */
   object(value: unknown, path: string, known?: readonly string[]): Record<string, unknown> {
     if (typeof value !== 'object' || value === null || Array.isArray(value)) {
       const fields = known ? ` with ${known.join(', ')}` : ''
@@ -33,7 +36,7 @@ export class JsonReader {
     return value as Record<string, unknown>
   }
 
-  /** Reads an array of `low` to `high` items. Throws otherwise. */
+  /** Reads an array of `low` to `high` items. */
   array(value: unknown, path: string, low: number, high: number): unknown[] {
     const range = `${low} to ${high} items`
     if (!Array.isArray(value)) this.fail(`${path} must be an array`, value, range, 'write [ ... ]')
@@ -49,7 +52,7 @@ export class JsonReader {
     return value
   }
 
-  /** Reads a finite number from `low` to `high`. Throws otherwise. */
+  /** Reads a finite number from `low` to `high`. */
   number(value: unknown, path: string, low: number, high: number, unit: string): number {
     const range = `${low}..${high}${unit === '' ? '' : ` ${unit}`}`
     if (typeof value !== 'number' || !Number.isFinite(value)) {
@@ -61,7 +64,6 @@ export class JsonReader {
     return value
   }
 
-  /** Reads an integer from `low` to `high`. Throws otherwise. */
   integer(value: unknown, path: string, low: number, high: number): number {
     const number = this.number(value, path, low, high, '')
     if (!Number.isInteger(number)) {
@@ -70,7 +72,7 @@ export class JsonReader {
     return number
   }
 
-  /** Reads two numbers, or one number for both. Throws otherwise. */
+  /** Reads two numbers from `low` to `high`. A single number is returned twice. */
   pair(value: unknown, path: string, low: number, high: number): [number, number] {
     if (!Array.isArray(value)) {
       const both = this.number(value, path, low, high, '')
@@ -83,7 +85,7 @@ export class JsonReader {
     ]
   }
 
-  /** Reads text of 1 to `longest` characters. Throws otherwise. */
+  /** Reads text of 1 to `longest` characters. */
   text(value: unknown, path: string, longest = 64): string {
     if (typeof value !== 'string' || value === '' || value.length > longest) {
       this.fail(`${path} must be text`, value, `1 to ${longest} characters`, 'write it in quotes')
@@ -91,13 +93,12 @@ export class JsonReader {
     return value
   }
 
-  /** Reads the name of a layer or an area, see `isName`. Throws otherwise. */
+  /** Reads a name that `isName` accepts. */
   name(value: unknown, path: string): string {
     if (!isName(value)) this.fail(`${path} must be text`, value, NAME_RULE, 'choose another name')
     return value
   }
 
-  /** Reads one of the `allowed` texts. Throws otherwise. */
   choice<T extends string>(value: unknown, path: string, allowed: readonly T[]): T {
     if (!allowed.includes(value as T)) {
       this.fail(`${path} is unknown`, value, allowed.join(' or '), 'use one of them', 'unknown-name')
@@ -105,12 +106,11 @@ export class JsonReader {
     return value as T
   }
 
-  /** Reads `low` to 4096 points [u, v], both 0..1. Throws otherwise. */
   points(value: unknown, path: string, low: number): Uv[] {
     return this.array(value, path, low, 4096).map((point, i) => this.point(point, `${path}[${i}]`))
   }
 
-  /** Reads a point [u, v], both 0..1. Throws otherwise. */
+  /** Reads a point `[u, v]`. Both coordinates are 0..1. */
   point(value: unknown, path: string): Uv {
     const [u, v] = this.array(value, path, 2, 2)
     return [
@@ -119,7 +119,7 @@ export class JsonReader {
     ]
   }
 
-  /** Throws a FurrowError. Adds "got nothing" for missing fields, because `undefined` is not printed. */
+  /** Throws a FurrowError. If `value` is undefined, the message says "got nothing". */
   fail(message: string, value: unknown, limit: string | undefined, remedy: string, code?: ErrorCode): never {
     const problem = value === undefined ? `${message}, got nothing` : message
     throw new FurrowError({ code, who: this.#who, problem, value, limit, remedy })
@@ -137,7 +137,7 @@ export function tryRead<T>(read: () => T, onError: (error: FurrowError) => void)
   }
 }
 
-/** Returns `fallback` for undefined. Null is kept, so that it fails the checks: glTF has no null. */
+/** Returns `fallback` if the value is undefined. Null is returned unchanged, so that later checks reject it: glTF does not allow null. */
 export function orDefault(value: unknown, fallback: unknown): unknown {
   return value === undefined ? fallback : value
 }

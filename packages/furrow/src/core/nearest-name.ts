@@ -1,12 +1,12 @@
 import { FurrowError } from './error.ts'
 
-/** Longer names are rarely typed by hand, and slow to compare. */
+/** Maximum length of compared names. Longer names are rarely typed by hand, and comparing them is slow. */
 const MAX_LENGTH = 64
 
 /** Maximum fraction of a name's characters that may be misspelt. */
 const MAX_MISSPELT = 0.4
 
-/** Returns the most similar name, ignoring case; undefined if none is similar enough. */
+/** Returns the most similar name, ignoring case, or undefined if none is similar enough. */
 export function nearestName(name: string, names: readonly string[]): string | undefined {
   if (name.length > MAX_LENGTH) return undefined
   let best: string | undefined
@@ -21,14 +21,14 @@ export function nearestName(name: string, names: readonly string[]): string | un
   return best
 }
 
-/** Returns the remedy for an unknown name: the most similar name, or `fallback`. */
+/** Returns the remedy for an unknown name: a suggestion of the most similar name, or `fallback` if no name is similar enough. */
 export function didYouMean(name: unknown, names: readonly string[], fallback: string): string {
   const best = typeof name === 'string' ? nearestName(name, names) : undefined
   return best === undefined ? fallback : `did you mean "${best}"?`
 }
 
 /**
- * Checks the names of options.
+ * Checks that all keys of `options` are known.
  *
  * @param who name of the caller in errors.
  * @throws FurrowError for the first unknown name.
@@ -46,7 +46,7 @@ export function checkOptionNames(options: object, known: readonly string[], who:
   })
 }
 
-/** Levenshtein distance, with one row of the table in memory. */
+/** Computes the Levenshtein distance. Only one row of the distance table is kept. */
 function editDistance(a: string, b: string): number {
   const row = Array.from({ length: b.length + 1 }, (_, j) => j)
   for (let i = 1; i <= a.length; i++) {

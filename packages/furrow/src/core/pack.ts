@@ -6,11 +6,11 @@ import { DEFAULT_AREA_SIZE, MAX_AREAS } from './limits.ts'
 import type { GrayImage, RgbaImage } from './types.ts'
 
 /**
- * Packs RGBA images into one array, such as the normals or base colours of the layers.
+ * Packs RGBA images, such as the normal maps or base colours of all layers, into one array.
  *
- * @param images at least one, all of one size; copied.
+ * @param images at least one image, all of the same size; copied.
  * @param who name of the caller in errors.
- * @throws FurrowError if there are no images, one is malformed, or sizes differ.
+ * @throws FurrowError if there are no images, if an image is malformed, or if sizes differ.
  */
 export function packColours(images: readonly RgbaImage[], who = 'packColours'): ImageArray {
   checkSizes(images, 'RGBA', who)
@@ -18,11 +18,11 @@ export function packColours(images: readonly RgbaImage[], who = 'packColours'): 
 }
 
 /**
- * Packs single-channel maps of the skin, such as roughness, into one array.
+ * Packs single-channel maps, such as the roughness of all layers, into one array.
  *
- * @param images at least one, all of one size; copied.
+ * @param images at least one image, all of the same size; copied.
  * @param who name of the caller in errors.
- * @throws FurrowError if there are no images, one is malformed, or sizes differ.
+ * @throws FurrowError if there are no images, if an image is malformed, or if sizes differ.
  */
 export function packGrays(images: readonly GrayImage[], who = 'packGrays'): ImageArray {
   checkSizes(images, 'gray', who)
@@ -30,12 +30,12 @@ export function packGrays(images: readonly GrayImage[], who = 'packGrays'): Imag
 }
 
 /**
- * Resamples areas to squares of one size and packs them into one single-channel array.
+ * Resamples the weights of areas of influence to squares of one size, and packs them into one single-channel array.
  *
  * @param weights 1 to 256 gray images of any size, 255 = fully visible; copied.
- * @param size side of the squares in texels; default 128, as in the paper.
+ * @param size width and height of the squares in texels; default 128.
  * @param who name of the caller in errors.
- * @throws FurrowError if there are none or too many, or one is malformed.
+ * @throws FurrowError if the number of images is out of range, or if an image is malformed.
  */
 export function packAreas(
   weights: readonly GrayImage[],
@@ -50,7 +50,7 @@ export function packAreas(
   return imageArray(images, 1)
 }
 
-/** @throws FurrowError if there are no images, one is malformed, or sizes differ. */
+/** @throws FurrowError if there are no images, if an image is malformed, or if sizes differ. */
 export function checkSizes(
   images: readonly (GrayImage | RgbaImage)[],
   layout: 'gray' | 'RGBA',

@@ -1,25 +1,26 @@
 /**
- * Reference implementation of the paper in float64 (C. D. G. Reis, J. M. De Martino, H. C. Batagelo, "Real-time Simulation of Wrinkles",
- * WSCG 2008). Tests compare every GPU path with it. Colours and values are linear.
+ * Reference implementation of all wrinkle shading in float64. Tests compare the output of every shader with it. Colours and values are
+ * linear. "The paper" is C. D. G. Reis, J. M. De Martino, H. C. Batagelo, "Real-time Simulation of Wrinkles", WSCG 2008.
  */
 import { BLOOD_ABSORPTION, BLOOD_AT_REST, BLOOD_THRESHOLD } from './blood.ts'
 import type { ImageArray } from './image-array.ts'
+import { SMALLEST_ONSET_RANGE } from './limits.ts'
 import { repeat } from './repeat.ts'
 import { TOON_LINE } from './toon-line.ts'
 import type { Combine, LayerKind } from './types.ts'
 
-/** State of an area that its influence depends on, besides its weights. */
+/** State of an area of influence. Its weights are in an `ImageArray`. */
 export interface ActiveArea {
   /** 0..1 */
   activation: number
   /** Index of the layer. */
   layer: number
-  /** How the area combines with others of its layer. */
+  /** How the area combines with other areas of the same layer. */
   combine: Combine
 }
 
 /**
- * Samples one channel of an array bilinearly with clamped edges, as a GPU does. Texel centres are at (i + 0.5) / width.
+ * Samples one channel of an array bilinearly with clamped edges, as a GPU does. Texel centres are at `(i + 0.5) / width`.
  *
  * @param array 8 bits per channel.
  * @param u texture coordinate; repeats outside 0..1.
@@ -51,7 +52,7 @@ export function interpolate(
   return interpolateTexels(size, repeat(u) * size.width - 0.5, repeat(v) * size.height - 0.5, texel)
 }
 
-/** `interpolate` at a column and row; integers are texel centres. */
+/** Does the same as `interpolate` for a position in texels. The centre of the first texel is at column 0 and row 0. */
 export function interpolateTexels(
   { width, height }: { width: number; height: number },
   column: number,
@@ -70,8 +71,9 @@ export function interpolateTexels(
 }
 
 /**
- * Computes the influence of one layer at a point: the paper's sum of weight times activation over all areas, clamped to 1, and at least
- * that of every `max` area.
+ * Computes the influence of one layer at a point. Two numbers are computed, and the larger one is returned. The first is the paper's
+ * sum of `weight * activation` over the layer's `sum` areas, clamped to 1. The second is the maximum of `weight * activation` over its
+ * `max` areas.
  *
  * @param areas single-channel array, one slice per area.
  * @param active state of each area, in the order of the slices.
@@ -92,15 +94,8 @@ export function influence(
 }
 
 /**
- * Computes the influence as the influence map of the default mode does: at texels, then interpolated, then clamped to 1. Equals
- * `influence` if no area combines by `max`.
- *
- * @param areas single-channel array, one slice per area.
- * @param active state of each area, in the order of the slices.
- * @param u texture coordinate; repeats outside 0..1.
- * @param v texture coordinate, downwards; repeats outside 0..1.
- * @param layer index of the layer.
- * @returns the influence, 0..1.
+ * Computes the influence of one layer at a point as the GPU's influence map does: influences are computed at texels, interpolated and
+ * then clamped to 1. The result equals that of `influence` if no area combines by `max`. The parameters are those of `influence`.
  */
 export function influenceFromMap(
   areas: ImageArray,
@@ -118,7 +113,22 @@ export function influenceFromMap(
   return Math.min(1, interpolate(areas, u, v, texel))
 }
 
-/** Combines weight times activation of a layer's areas: the sum over `sum` areas, and the maximum over `max` areas. */
+/**
+ * Delays the influence of a layer by its onset map, so that a wrinkle begins where it is deepest, and grows from there. With strength 1, the
+ * result stays 0 while `influence <= onset`. Then it rises, first fast and then more slowly, to 1 at influence 1.
+ *
+ * @param influence influence of the layer, 0..1.
+ * @param onset value of the layer's onset map, 0..1.
+ * @param strength 0 = no delay, 1 = delay by the map.
+ * @returns the influence with which all maps of the layer are mixed, 0..1. Exactly 1 if `influence` is 1.
+ */
+export function onsetInfluence(influence: number, onset: number, strength = 1): number {
+  const range = Math.max(1 - onset, SMALLEST_ONSET_RANGE)
+  const t = Math.min(Math.max(1 - (1 - influence) / range, 0), 1)
+  return influence + (t * (2 - t) - influence) * strength
+}
+
+/** Returns the sum of `weight * activation` over a layer's `sum` areas, and the maximum over its `max` areas. */
 function combine(
   active: readonly ActiveArea[],
   layer: number,
@@ -136,11 +146,11 @@ function combine(
 }
 
 /**
- * Mixes base colour, roughness or occlusion: interpolates from the material's value to the values of the layers. Influences that sum to
- * more than 1 are divided by the sum.
+ * Mixes base colour, roughness or occlusion: interpolates from the material's value to the layers' values by influence. Influences that
+ * sum to more than 1 are divided by their sum.
  *
- * @param base value of the material, linear, any number of channels.
- * @param layers value with the same number of channels, and influence, 0..1, of each layer with such a map.
+ * @param base value of the material, linear, with any number of channels.
+ * @param layers value and influence (0..1) of each layer that has a map of this kind. Values have as many channels as `base`.
  */
 export function mixValues(
   base: readonly number[],
@@ -153,10 +163,11 @@ export function mixValues(
 }
 
 /**
- * Decodes a value of a blood map. The result times the layer's amplitude is mixed by `mixValues` into a base of 0.
+ * Decodes a value of a layer's blood map. Callers multiply the result by the layer's amplitude. They mix the products of all layers by
+ * `mixValues` with a base of 0.
  *
  * @param stored value in the map, 0..1.
- * @returns -1..1: 0 = no change, 1 = redder by the amplitude, -1 = paler by the amplitude.
+ * @returns change of blood as a fraction of the amplitude, -1..1: positive = redder, negative = paler, 0 = no change.
  */
 export function bloodOf(stored: number): number {
   const steps = stored * 255 - BLOOD_AT_REST
@@ -164,33 +175,33 @@ export function bloodOf(stored: number): number {
 }
 
 /**
- * Changes the amount of blood in a skin colour, see `BLOOD_ABSORPTION`.
+ * Changes the amount of blood in a skin colour. See `BLOOD_ABSORPTION` for the source of the formula.
  *
  * @param colour base colour, linear sRGB.
- * @param blood added optical depth of green.
- * @returns linear sRGB; the same colour if blood is 0.
+ * @param blood added optical depth for green light.
+ * @returns linear sRGB.
  */
 export function bloodColour(colour: readonly number[], blood: number): number[] {
   return colour.map((value, i) => value * Math.exp(-BLOOD_ABSORPTION[i] * blood))
 }
 
 /**
- * Computes the micro-shadow of occluded wrinkles on a light's highlight (D. Chan, "Material Advances in Call of Duty: WWII", 2018). The
- * visible sky is a cone around the normal: light inside it arrives, light outside fades. Diffuse light is not shadowed, because skin
- * scatters it further than wrinkles are wide.
+ * Computes the fraction of a light's specular reflection that wrinkles leave unshadowed (D. Chan, "Material Advances in Call of Duty:
+ * WWII", 2018). The visible sky is modelled as a cone around the normal. Light from inside the cone arrives unchanged; light from outside
+ * fades. Diffuse light is not shadowed, because skin scatters it over a distance larger than the width of a wrinkle.
  *
- * @param visibility mixed occlusion of the layers over a base of 1, see `mixValues`; 0..1.
- * @param cosine cosine of the angle between shading normal and light, 0..1.
+ * @param visibility the layers' occlusion values, mixed by `mixValues` with a base of 1; 0..1.
+ * @param cosine cosine of the angle between the shading normal and the direction to the light, 0..1.
  * @returns factor for the light's specular reflection, 0..1.
  */
 export function microShadow(visibility: number, cosine: number): number {
-  // A cone admits the squared sine of its half angle of a uniform sky's light.
+  // A uniform sky sends sin(alpha)^2 of its light through a cone with half angle alpha, so visibility = 1 - cos(alpha)^2.
   const squaredCosineOfCone = 1 - visibility
   return cosine ** 2 < squaredCosineOfCone ? cosine ** 2 / squaredCosineOfCone : 1
 }
 
 /**
- * Interpolates between two lit colours: step 4 of the paper's shader.
+ * Interpolates between two lit colours, as step 4 of the paper's shader does.
  *
  * @param smooth colour lit with smooth normals, linear.
  * @param wrinkled colour lit with wrinkled normals, linear.
@@ -204,14 +215,14 @@ export function mixColours(
   return smooth.map((value, i) => lerp(value, wrinkled[i], influence))
 }
 
-/** Unpacks a normal of a map from 0..1 to -1..1, without normalising. */
+/** Converts the components of a normal from 0..1, as sampled from a normal map, to -1..1. The result is not normalised. */
 export function unpackNormal(rgb: readonly number[]): number[] {
   return rgb.map((value) => value * 2 - 1)
 }
 
 /**
- * Lays a detail normal over a base normal by reoriented normal mapping (C. Barre-Brisebois, S. Hill, "Blending in Detail", 2012): the
- * rotation from (0, 0, 1) to the base is applied to the detail.
+ * Lays a detail normal over a base normal by reoriented normal mapping (C. Barre-Brisebois, S. Hill, "Blending in Detail", 2012). The
+ * rotation that turns (0, 0, 1) into the base normal is applied to the detail normal.
  *
  * @param base unit vector in tangent space, z > -1.
  * @param detail unit vector in tangent space.
@@ -226,7 +237,7 @@ export function reorientNormal(base: readonly number[], detail: readonly number[
 
 /** Normal and influence of one layer at a point. */
 export interface LayerNormal {
-  /** How the normal combines with the skin's. */
+  /** How the normal combines with the normal of the material. */
   kind: LayerKind
   /** Unpacked normal of the layer's map, in tangent space, not normalised. */
   normal: readonly number[]
@@ -235,18 +246,18 @@ export interface LayerNormal {
 }
 
 /**
- * Mixes normals as the default mode does, before lighting. `replace` layers are mixed in by influence; influences that sum to more than
- * 1 are divided by the sum. Slopes of `detail` layers are added and laid over the result by reoriented normal mapping.
+ * Mixes the normals of all layers into the material's normal, before lighting. First, `replace` layers are mixed by influence;
+ * influences that sum to more than 1 are divided by their sum. Then the slopes of `detail` layers are multiplied by their influences and
+ * summed. The sum is laid over the result by reoriented normal mapping.
  *
- * @param base normal of the material's map in tangent space, not normalised.
+ * @param base normal from the material's normal map in tangent space, not normalised.
  * @returns unit normal in tangent space.
  */
 export function mixNormals(base: readonly number[], layers: readonly LayerNormal[]): number[] {
   const replacing = layers.filter((layer) => layer.kind === 'replace')
-  const total = Math.max(1, sum(replacing.map((layer) => layer.influence)))
-  const mixed = base.map(
-    (value, axis) =>
-      value + sum(replacing.map((layer) => ((layer.normal[axis] - value) * layer.influence) / total)),
+  const mixed = mixValues(
+    base,
+    replacing.map(({ normal, influence }) => ({ value: normal, influence })),
   )
   const details = layers.filter((layer) => layer.kind === 'detail')
   if (details.length === 0) return normalize(mixed)
@@ -256,13 +267,13 @@ export function mixNormals(base: readonly number[], layers: readonly LayerNormal
 }
 
 /**
- * Draws wrinkles as lines on a toon material, whose lighting steps hide most slopes. The colour is darkened where wrinkles add to the
- * slope, independent of the light.
+ * Draws wrinkles as dark lines on a toon material. A toon material has few steps of brightness, so it would not show most slopes of
+ * wrinkles. The colour is darkened where wrinkles change the slope of the normal. The light has no effect on these lines.
  *
  * @param colour linear RGB.
- * @param own normal of the material's map in tangent space, not normalised.
- * @param mixed normal with wrinkles in tangent space, not normalised.
- * @returns linear RGB; the same colour if the normals are equal.
+ * @param own normal from the material's normal map in tangent space, not normalised.
+ * @param mixed `own` mixed with the wrinkles, in tangent space, not normalised.
+ * @returns linear RGB.
  */
 export function toonColour(
   colour: readonly number[],

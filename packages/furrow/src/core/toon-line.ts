@@ -1,7 +1,7 @@
-/** Wrinkle lines on toon materials, see `toonColour` in the reference. */
+/** Constants of the dark lines that wrinkles draw on toon materials; see `toonColour` in `reference.ts`. */
 export const TOON_LINE = {
-  /** Slopes, rise over run, at which a line starts and at which it is full. */
+  /** Changes of slope (rise over run) at which darkening starts and at which it is complete. */
   slopes: [0.05, 0.5],
-  /** Factor for the squared skin colour of a full line. */
+  /** Darkest colour of a line: `shade * colour * colour`, in linear RGB. */
   shade: 0.7,
 } as const

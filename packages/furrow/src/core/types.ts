@@ -1,6 +1,6 @@
 /**
- * An image of one byte per texel, row by row from the top: row 0 is v = 0, as in glTF. Areas in memory hold weights, 255 = fully visible;
- * files in the paper's convention are inverted.
+ * An image with one byte per texel. Rows are stored from top to bottom: row 0 is at v = 0, as in glTF. In images of areas, 255 means
+ * that wrinkles are fully visible.
  */
 export interface GrayImage {
   width: number
@@ -9,34 +9,34 @@ export interface GrayImage {
   data: Uint8Array
 }
 
-/** An image of four bytes per texel, row by row from the top: row 0 is v = 0, as in glTF. */
+/** An image with four bytes per texel. Rows are stored from top to bottom: row 0 is at v = 0, as in glTF. */
 export interface RgbaImage {
   width: number
   height: number
-  /** 4 x width x height bytes; colours are sRGB, normals are linear with +Y towards smaller v. */
+  /** 4 x width x height bytes. Colours are sRGB. Normals are linear, +Y towards smaller v. */
   data: Uint8Array
 }
 
 /**
- * How a layer's normal map combines with the skin's.
+ * How a layer's normal map combines with the material's normal map.
  *
- * - `replace`: the map holds pores and wrinkles, and is mixed with the skin's.
- * - `detail`: the map holds only wrinkles, and is laid over the skin's by reoriented normal mapping.
+ * - `replace`: the layer's map contains pores and wrinkles, and is mixed with the material's map.
+ * - `detail`: the layer's map contains only wrinkles, and is laid over the material's map by reoriented normal mapping.
  */
 export type LayerKind = 'replace' | 'detail'
 
-/** A map in a texture array of the engine, read from a KTX 2 file. */
+/** One slice of a texture array that an engine has loaded from a KTX 2 file. */
 export interface ArraySlice {
-  /** Texture of the engine. Opaque to engine-free code. */
+  /** The engine's texture object. */
   array: object
   /** Index in the array. */
   slice: number
-  /** Channel of a single-channel map, 0 = R to 3 = A. */
+  /** Channel that stores a single-channel map, 0 = R to 3 = A. */
   channel: number
 }
 
 /**
- * Maps of the fully wrinkled skin.
+ * Texture maps of fully wrinkled skin. A face blends up to four layers, because skin creases differently in different expressions.
  *
  * @typeParam Slice `ArraySlice` if maps may also be slices of texture arrays.
  */
@@ -47,7 +47,7 @@ export interface Layer<Slice = never> {
   normal: RgbaImage | Slice
   /** Factor for x and y of the normals; default 1. */
   normalScale?: number
-  /** Skin colour, sRGB. Like roughness and occlusion, replaces the material's map where wrinkles show. */
+  /** Base colour, sRGB. Base colour, roughness and occlusion replace the material's values where wrinkles are visible. */
   baseColor?: RgbaImage | Slice
   /** Roughness, linear, 255 = 1. */
   roughness?: GrayImage | Slice
@@ -55,17 +55,24 @@ export interface Layer<Slice = never> {
   occlusion?: GrayImage | Slice
   /** 0 = no occlusion, 1 = as in the map; default 1. */
   occlusionStrength?: number
-  /** Change of blood, linear: 128 = none, 255 = redder by `bloodAmplitude`, 1 = paler by it. Same size as the occlusion maps. */
+  /** Change of blood, linear: 128 = none, 255 = redder by `bloodAmplitude`, 1 = paler by `bloodAmplitude`. Same size as the occlusion maps. */
   blood?: GrayImage | Slice
-  /** Optical depth of green at 255, 0..2; required with `blood`. See `BLOOD_ABSORPTION`. */
+  /** Amplitude, 0..2: the optical depth for green light that byte 255 of the blood map adds; required with `blood`. See `BLOOD_ABSORPTION`. */
   bloodAmplitude?: number
-  /** Height of the wrinkled surface, linear, 127.5 = undisplaced skin; drawn as relief. */
+  /**
+   * Influence at which the wrinkle begins to appear, linear: 0 = at any influence, 255 = only at full influence. See `onsetInfluence`.
+   * Same size as the occlusion and blood maps.
+   */
+  onset?: GrayImage | Slice
+  /** 0 = the onset map has no effect, 1 = full effect; default 1. */
+  onsetStrength?: number
+  /** Height of the wrinkled surface, linear, 127.5 = undisplaced skin. Heights displace the surface if relief is turned on. */
   height?: GrayImage | Slice
-  /** Metres from black to white of the height map; required with `height`. */
+  /** Height difference between black and white, in metres; required with `height`. */
   heightAmplitude?: number
 }
 
-/** How an area combines with others of its layer at the same texel: by addition, or by the maximum. */
+/** How an area combines with other areas of the same layer at a texel: by addition or by the maximum. */
 export type Combine = 'sum' | 'max'
 
 /**
@@ -91,10 +98,10 @@ export interface Area<Slice = never> {
  * @typeParam Slice `ArraySlice` if maps and weights may also be slices of texture arrays.
  */
 export interface WrinkleSet<Slice = never> {
-  /** 1 to 4 layers. All maps of one kind must have one size. */
+  /** 1 to 4 layers. Maps of one kind, e.g. the normal maps of all layers, must have the same size. */
   layers: Layer<Slice>[]
   /** 1 to 256 areas with unique names. */
   areas: Area<Slice>[]
-  /** Drivers that `new Wrinkles(mesh, set)` adds, as `addDrivers` does; default none. */
+  /** Drivers compute activations from blendshape weights and other inputs. `new Wrinkles(mesh, set)` adds them. Default: none. */
   drivers?: readonly { type: string }[]
 }

@@ -2,48 +2,44 @@ import { formatProblem } from '../core/error.ts'
 import type { AreaActivation } from './activation.ts'
 import { type CurvePoints, outputOf } from './curve.ts'
 
-/** A link whose input is resolved to indices of inputs or activations. */
+/** A link is an input of a driver with a weight and a curve. In a bound link, the input is resolved to indices of values. */
 export interface BoundLink {
   /** Name of the input in messages. */
   name: string
-  /** Indices of values; the input is their mean, or 0 if there are none. */
+  /** Indices of the values whose mean is the input. Without indices, the input is 0. */
   indices: Uint16Array
-  /** Whether the values are activations. */
+  /** Whether the indices refer to activations of areas. Otherwise, they refer to input values. */
   isArea: boolean
   weight: number
-  /** Points of the curve, if any. */
+  /** Points of the link's curve, if it has one. */
   points: CurvePoints | undefined
 }
 
-/** An `AreaActivation` whose area and inputs are resolved to indices. */
+/** A driver that activates an area. Its area and its inputs are resolved to indices. */
 export interface BoundActivation {
-  /** Index of the area. */
   area: number
   links: readonly BoundLink[]
   rule: AreaActivation['rule']
-  /** Points of the curve. */
+  /** Points of the driver's curve. */
   points: CurvePoints
 }
 
-/** Evaluates the area activations of a plan in order. `addTo` allocates nothing, unless a custom rule does. */
+/** Evaluates all drivers that activate areas (groups of wrinkles), in order. `addTo` allocates nothing, unless a custom rule does. */
 export class ActivationSum {
   readonly #activations: readonly BoundActivation[]
-  /** Index of each driver's area. */
   readonly #areaIndices: Uint16Array
-  /** Points of each driver's curve. */
   readonly #curves: readonly CurvePoints[]
-  /** Whether each driver is a sum whose links read one value each: the most common case. */
+  /** For each driver, whether it sums links that read one input value each. Most drivers do, so this case has a faster path. */
   readonly #areSums: readonly boolean[]
-  /** End of each driver's links in the flat arrays below. Flat arrays are twice as fast to read as objects. */
+  /** For each driver, the end of its links in `#sources` and `#weights`. Reading these flat arrays is twice as fast as reading objects. */
   readonly #ends: Uint32Array
-  /** Index of each link's value. -1 if the link reads an area, reads several values or has a curve. */
+  /** For each link, the index of its input value, or -1 if the link reads an area, reads several values or has a curve. */
   readonly #sources: Int32Array
-  /** Weight of each link. */
   readonly #weights: Float64Array
-  /** Value of each link before the driver's rule, one array per driver. */
+  /** Results of the links, one array per driver. */
   readonly #linkValues: readonly Float64Array[]
   readonly #warned = new Set<string>()
-  /** Result of `#read` and `#combine`. An array, because V8 may box returned numbers. */
+  /** Result of `#read` and `#combine`, stored in an array because V8 may allocate memory for a returned number. */
   readonly #value = new Float64Array(1)
 
   constructor(activations: readonly BoundActivation[]) {
@@ -62,10 +58,10 @@ export class ActivationSum {
   }
 
   /**
-   * Adds the output of each driver to its area, up to 1. Drivers read areas as modified by earlier drivers.
+   * Adds the output of each driver to the activation of its area, up to 1. If a driver reads an area, it gets that area's activation so far.
    *
-   * @param areas activations by area; changed.
-   * @param inputs values of all inputs.
+   * @param areas activations of all areas; modified.
+   * @param inputs all input values.
    */
   addTo(areas: Float32Array, inputs: Float64Array): void {
     const activations = this.#activations
@@ -90,7 +86,7 @@ export class ActivationSum {
     }
   }
 
-  /** Returns the link values of a driver, and their combination by the rule. Allocates. */
+  /** Returns the results of a driver's links, and the number to which the driver's rule combines them. Allocates. */
   evaluate(index: number, areas: Float32Array, inputs: Float64Array): { links: number[]; combined: number } {
     this.#combine(index, areas, inputs)
     return { links: [...this.#linkValues[index]], combined: this.#value[0] }
@@ -144,7 +140,7 @@ export class ActivationSum {
   }
 }
 
-/** Reads the input of a link, before its curve and weight, into `value`. */
+/** Writes the input of a link to `value[0]`, without the link's curve and weight. */
 export function readInput(
   { indices, isArea }: BoundLink,
   areas: Float32Array,

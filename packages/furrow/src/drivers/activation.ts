@@ -1,68 +1,68 @@
 import type { Curve } from './curve.ts'
 
 /**
- * A number that drivers read, one per face and frame. The engine measures the first three kinds, the application sets `value`, and
- * `area` is the activation of another area.
+ * A number from which drivers compute activations of areas (groups of wrinkles), for each face and frame. Inputs of kind `target`, `joint` and
+ * `tension` are read from the engine. The application sets inputs of kind `value`. An input of kind `area` is the activation of another area.
  */
 export type Input =
-  /** Weight of a morph target, in any spelling that `findTargets` knows. */
+  /** Weight of a morph target. The name may have any spelling that `findTargets` knows. */
   | { kind: 'target'; name: string }
-  /** Rotation of a joint from its rest pose relative to joint `from`, radians, or distance between the two, metres. */
+  /** Movement of a joint relative to joint `from`: rotation from the rest pose (radians), or distance between the joints (metres). */
   | {
       kind: 'joint'
       from: string
       joint: string
       measure: 'angle' | 'distance'
-      /** Angle only: axis of the signed rotation, in the rest frame of the joint. Default: total rotation. */
+      /** Axis of a signed angle, in the rest frame of `joint`. Without an axis, the angle of the total rotation is measured. */
       axis?: readonly [number, number, number]
     }
-  /** Mean compression or stretch of the skin under an area, as a fraction of the rest length. */
+  /** Mean compression or stretch of the skin of an area, as a fraction of the rest length. */
   | {
       kind: 'tension'
       area: string
       measure: 'compression' | 'stretch'
-      /** Direction of measurement in texture coordinates; default: the principal direction. */
+      /** Direction of measurement in texture coordinates. Default: principal direction of the strain. */
       direction?: readonly [number, number]
     }
-  /** Custom input: a number set by the application; `initial` until then, default 0. */
+  /** Number that the application sets. `initial` is its initial value, default 0. */
   | { kind: 'value'; name: string; initial?: number }
   /** Activation of an area, 0..1. */
   | { kind: 'area'; name: string }
 
-/** The kinds of `Input`. */
+/** Name of a kind of input. */
 export type InputKind = Input['kind']
-/** Kinds of inputs that an engine or the application provides: all but the activations of areas. */
+/** Kinds of inputs that the engine or the application provides. */
 export type ExternalInputKind = Exclude<InputKind, 'area'>
-/** Inputs of one kind. */
+/** Input of the kind `K`. */
 export type InputOf<K extends InputKind> = Extract<Input, { kind: K }>
 
-/** Operand of an activation: the input, passed through the optional curve, times the weight. */
+/** A link is an input of a driver with a curve and a weight. Its result is `weight * curve(input)`. */
 export interface InputLink {
   input: Input
-  /** Positive or negative. */
+  /** Any number, also negative. */
   weight: number
-  /** Optional curve from the input to any number. */
+  /** Curve that is applied to the input. Its outputs can be any numbers. Without a curve, the input is used unchanged. */
   curve?: Readonly<Curve>
 }
 
 /**
- * How the links of a driver are combined. With `min` all links must be active, e.g. both brows lowered; with `product` one link gates the
- * others.
+ * How the results of a driver's links are combined to one number. The `min` is large only if all results are large, e.g. if both brows are
+ * lowered. The `product` is 0 if any result is 0.
  */
 export type Rule = 'sum' | 'max' | 'min' | 'product'
 
-/** Contribution of a driver to an area: links combined by the rule, passed through the curve. */
+/** How a driver activates an area: the rule combines the results of the links, and the curve converts the combined number to an activation. */
 export interface AreaActivation {
-  /** Name of the area. */
+  /** Name of the activated area. */
   area: string
   links: readonly InputLink[]
-  /** Registered types may use a pure function of the link values. */
+  /** Driver types added by `registerDriver` may use a pure function of the links' results. */
   rule: Rule | ((values: Float64Array) => number)
-  /** Outputs are 0..1. */
+  /** Outputs are activations, 0..1. */
   curve: Readonly<Curve>
 }
 
-/** Returns the name of an input for messages. */
+/** Returns the name of an input for warnings. */
 export function inputName(input: Input): string {
   if (input.kind === 'joint') return `${input.measure} of joint ${input.joint}`
   return input.kind === 'tension' ? input.measure : input.name

@@ -1,19 +1,23 @@
 import { type ActivationSum, type BoundActivation, readInput } from './activation-sum.ts'
 import { outputOf } from './curve.ts'
 
-/** Contribution of one driver to its area. */
+/** Intermediate results of one driver. Tools use them to explain the activation of the driver's area. */
 export interface Contribution {
-  /** 0..1. */
+  /** Activation that the driver adds to its area, 0..1. */
   activation: number
-  /** Value of each input, before the link's curve and weight. */
+  /** Value of each input. */
   inputs: number[]
-  /** Value of each link, before the driver's rule and curve. */
+  /** Result of each link: `weight * curve(input)`. */
   links: number[]
-  /** Links combined by the rule: the input of the curve. */
+  /** Combination of the links by the driver's rule. The driver's curve converts this number to the activation. */
   combined: number
 }
 
-/** Computes the contribution of a driver by its index in `sum`. Allocates. */
+/**
+ * Computes the intermediate results of a driver. Allocates.
+ *
+ * @param index index of the driver in `sum`.
+ */
 export function contributionOf(
   sum: ActivationSum,
   index: number,

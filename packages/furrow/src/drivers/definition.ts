@@ -1,49 +1,51 @@
 import type { AreaActivation, Input } from './activation.ts'
 import type { Fields } from './fields.ts'
 
-/** Changes inputs before any driver reads them. */
+/** Changes inputs before drivers read them. */
 export interface InputFilter {
-  /** Inputs to read or change. If the model lacks one, the filter is skipped. */
+  /** Inputs that the filter reads or changes. If the model lacks one of them, the filter is skipped. */
   inputs: readonly Input[]
   /**
-   * Resolves the inputs, once per mesh.
+   * Creates the filter function. Called once per mesh.
    *
-   * @param indices per input: indices of values; the input is their mean.
-   * @returns a function that changes the values in place. Runs once per face and frame, and should not allocate.
+   * @param indices for each input, the indices of its values. The input is the mean of these values.
+   * @returns a function that changes values in place. It runs once per face and frame, and should not allocate.
    */
   bind(indices: readonly Uint16Array[]): (values: Float64Array) => void
 }
 
-/** Changes an area's activation after all drivers have run. The change may depend on the previous frame. */
+/** Changes the activation of an area after all drivers have added to it. The change may depend on the previous frame. */
 export interface ActivationFilter {
   /** Name of the area. */
   area: string
   /**
-   * Resolves the area, once per mesh.
+   * Creates the filter function. Called once per mesh.
    *
    * @param index index of the area.
-   * @returns a function that reads and writes `activations[index]` and `previous[index]`, the result of the previous frame. `seconds[0]`
-   *   is the time since then. Runs once per face and frame, and should not allocate.
+   * @returns a function that changes `activations[index]`. `previous[index]` contains the result of the previous frame, and the function
+   *   must store its result there. `seconds[0]` is the time since the previous frame. The function runs once per face and frame, and should
+   *   not allocate.
    */
   bind(index: number): (activations: Float32Array, previous: Float64Array, seconds: Float64Array) => void
 }
 
 /**
- * JSON and evaluation of one driver type. A driver activates an area, filters inputs, filters an activation, or is data for other code.
+ * Definition of a driver type: how its JSON is read, and how its drivers are evaluated. A driver can activate an area (a group of wrinkles),
+ * filter inputs, filter an activation, or only store data for other code.
  *
- * @typeParam D driver as read from a file.
+ * @typeParam D type of the driver object.
  */
 export interface DriverDefinition<D extends { type: string } = { type: string }> {
-  /** `type` of the driver in files. */
+  /** Value of the JSON field `type`. */
   readonly type: D['type']
   /** Reads a driver from JSON. The methods of `fields` throw FurrowError. */
   read(fields: Fields): Omit<D, 'type'>
-  /** Describes the driver in one line. Default: its activation, or its fields. */
+  /** Describes the driver in one line. By default, the description is a formula of the driver's links, or a list of its fields. */
   describe?(driver: D): string
-  /** Returns the contribution to an area, if any. Called once per mesh. */
+  /** Returns how the driver activates an area, if it does. Called once per mesh. */
   activate?(driver: D): AreaActivation | undefined
-  /** Returns the filter of inputs. Called once per mesh. */
+  /** Returns the driver's filter of inputs. Called once per mesh. */
   filterInputs?(driver: D): InputFilter
-  /** Returns the filter of an activation. Called once per mesh. With several for one area, the last one counts. */
+  /** Returns the driver's filter of an activation. Called once per mesh. If several drivers filter one area, only the last filter runs. */
   filterActivation?(driver: D): ActivationFilter
 }

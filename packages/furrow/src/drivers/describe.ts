@@ -4,8 +4,8 @@ import type { Link } from './link.ts'
 import { definitionOf, type WrinkleDriver } from './registry.ts'
 
 /**
- * Describes a driver in one line: `brow = 0.5 browInnerUp + browDown, curve (0, 0) (0.5, 1)`, or `expression joy: 0.8 mouthSmile`. Falls
- * back to the fields of the driver.
+ * Describes a driver in one line, such as `brow = 0.5 browInnerUp + browDown, curve (0, 0) (0.5, 1)`. If the driver activates no area and
+ * its type defines no description, the fields of the driver are listed.
  */
 export function describeDriver(driver: WrinkleDriver): string {
   const definition = definitionOf(driver.type)
@@ -16,12 +16,12 @@ export function describeDriver(driver: WrinkleDriver): string {
   return `${activation.area} = ${linksText(activation, driver.type)}${curveText(activation.curve)}`
 }
 
-/** Describes a link in one line: `0.5 browInnerUp`, with its optional curve in brackets. */
+/** Describes a link, such as `0.5 browInnerUp`. The points of a curve follow in brackets. */
 export function describeLink({ name, weight, curve }: Readonly<Link>): string {
   return `${weight === 1 ? '' : `${weight} `}${name}${curve ? ` [${pointsText(curve)}]` : ''}`
 }
 
-/** Formats sums and products as formulas, and other rules as functions; custom rules have the name of the type. */
+/** Formats sums and products with operators, and other rules as function calls. Calls of a custom rule use the name of the driver type. */
 function linksText({ links, rule }: AreaActivation, type: string): string {
   const texts = links.map(({ input, weight, curve }) =>
     describeLink({ name: inputText(input), weight, ...(curve && { curve: [...curve] }) }),
@@ -55,7 +55,7 @@ function pointsText(curve: Readonly<Curve>): string {
   return curve.map(([input, output]) => `(${input}, ${output})`).join(' ')
 }
 
-/** Formats fields as `area brow, attack 0.1, release 0.4`. */
+/** Formats the fields of a driver, e.g. as `area brow, attack 0.1, release 0.4`. */
 function fieldsText({ type: _, ...fields }: WrinkleDriver): string {
   return Object.entries(fields)
     .map(([name, value]) => `${name} ${valueText(value)}`)

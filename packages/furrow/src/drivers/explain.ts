@@ -5,52 +5,51 @@ import { DriverProgram, type DriverState } from './program.ts'
 import type { WrinkleDriver } from './registry.ts'
 import { targetSource, valueSource } from './sources.ts'
 
-/** Contribution of one link to its driver. */
+/** A link of a driver (an input with weight and curve), and its result. */
 export interface LinkPart {
   link: Link
-  /** Value before the driver's rule and curve. */
+  /** Result of the link: `weight * curve(input)`. The driver's rule combines the results of all links. */
   value: number
 }
 
-/** Contribution of one driver to an area. */
+/** Contribution of one driver to the activation of an area. */
 export interface DriverPart {
   driver: WrinkleDriver
-  /** 0..1. The sum over an area's drivers and its resting activation is clamped to 1. */
+  /** Activation that the driver adds, 0..1. */
   activation: number
-  /** Links in the order of the driver. */
   links: LinkPart[]
 }
 
-/** Explanation of the activation of an area. */
+/** Explanation of the activation of one area. */
 export interface Explanation {
   /** Name of the area. */
   area: string
-  /** 0..1. */
+  /** Sum of the resting activation and the activations of all drivers, clamped to 1. A driver of type `time` delays changes of this sum. */
   activation: number
-  /** Resting activation, 0..1. */
+  /** Activation of the resting face, 0..1. */
   resting: number
-  /** Drivers of the area, in evaluation order. */
+  /** Contributions of the drivers, in evaluation order. */
   parts: DriverPart[]
 }
 
-/** State of a face for `explain`. */
+/** State of a face: blendshape weights and other inputs. */
 export interface Situation {
   /** Names of the mesh's blendshapes. */
   targetNames: readonly string[]
-  /** Weights of the blendshapes, in the same order. */
+  /** Weights of the blendshapes, in the order of the names. */
   weights: ArrayLike<number>
-  /** Custom inputs by name, such as `age` in years. */
+  /** Inputs that applications set, by name, such as `age` in years. */
   inputs?: Readonly<Record<string, number>>
 }
 
 /**
- * Evaluates drivers for one state of a face and returns the contribution of each link. Skips drivers of joints and tension (`needsMesh`),
- * and delays: activations are the values after all delays.
+ * Evaluates drivers for one state of a face, and returns the contribution of each driver and link. Drivers that read joints or tension
+ * are skipped (see `needsMesh`). Drivers of type `time`, which delay activations, have no effect on the results.
  *
  * @param drivers all drivers of the face.
- * @param areas areas with resting activations, 0..1; default 0.
- * @param situation weights of blendshapes and custom inputs.
- * @returns one explanation per area, in the same order.
+ * @param areas areas with resting activations, 0..1, default 0.
+ * @param situation state of the face.
+ * @returns one explanation per area, in the order of `areas`.
  */
 export function explain(
   drivers: readonly WrinkleDriver[],
@@ -82,7 +81,11 @@ export function explain(
   })
 }
 
-/** Lists what each driver adds to its area, by name of the area. `state` must be evaluated. Allocates. */
+/**
+ * Returns the contributions of drivers, by name of their area. Allocates.
+ *
+ * @param state state that `program` has evaluated.
+ */
 export function partsByArea(program: DriverProgram, state: DriverState): Map<string, DriverPart[]> {
   const parts = new Map<string, DriverPart[]>()
   for (const [i, { driver, activation: planned }] of program.activations.entries()) {
@@ -96,7 +99,7 @@ export function partsByArea(program: DriverProgram, state: DriverState): Map<str
   return parts
 }
 
-/** Whether a driver reads joints or tension, which can only be measured on a moving mesh. */
+/** Whether a driver reads joints or tension. These inputs can only be measured on an animated mesh. */
 export function needsMesh(driver: WrinkleDriver): boolean {
   const { joint, tension } = planDrivers([driver]).inputs
   return joint.length + tension.length > 0

@@ -7,11 +7,11 @@ import type { Link } from './link.ts'
 type Json = Record<string, unknown>
 
 /**
- * Reads the JSON fields of a driver, or of an object in it. Every method throws a FurrowError naming the field if it is missing, has the
- * wrong type or is out of range.
+ * Reads and checks the JSON fields of a driver, or of an object in a driver. If a field is missing, has the wrong type or is out of range,
+ * methods throw a FurrowError with the field's name.
  */
 export class Fields {
-  /** Names of all areas. */
+  /** Names of all areas of the wrinkle set. */
   readonly areas: readonly string[]
   readonly #reader: JsonReader
   readonly #json: Json
@@ -24,17 +24,17 @@ export class Fields {
     this.areas = areas
   }
 
-  /** Reads `area`: the name of an existing area. */
+  /** Reads the field `area`, which must be one of `areas`. */
   area(): string {
     return this.choice('area', this.areas)
   }
 
-  /** Reads `rule`, default `sum`. */
+  /** Reads the field `rule`, default `sum`. */
   rule(): Rule {
     return this.choice('rule', ['sum', 'max', 'min', 'product'], 'sum')
   }
 
-  /** Reads `weight`, -1000..1000, default 1. */
+  /** Reads the field `weight`, -1000..1000, default 1. */
   weight(): number {
     return this.number('weight', -MAX_NUMBER, MAX_NUMBER, 1)
   }
@@ -44,17 +44,17 @@ export class Fields {
     return this.#reader.text(this.#json[field], `${this.#at}.${field}`, MAX_NAME_LENGTH)
   }
 
-  /** Reads a number from `low` to `high`; returns `fallback` if the field is missing. */
+  /** Reads a number from `low` to `high`. Returns `fallback` if the field is missing. */
   number(field: string, low: number, high: number, fallback: number): number {
     return this.#reader.number(orDefault(this.#json[field], fallback), `${this.#at}.${field}`, low, high, '')
   }
 
-  /** Reads one of the allowed values; returns `fallback` if the field is missing. */
+  /** Reads one of the allowed values. Returns `fallback` if the field is missing. */
   choice<T extends string>(field: string, allowed: readonly T[], fallback?: T): T {
     return this.#reader.choice(orDefault(this.#json[field], fallback), `${this.#at}.${field}`, allowed)
   }
 
-  /** Reads two names. */
+  /** Reads a list of two names. */
   names(field: string): [string, string] {
     const path = `${this.#at}.${field}`
     const [a, b] = this.#reader.array(this.#json[field], path, 2, 2)
@@ -65,9 +65,9 @@ export class Fields {
   }
 
   /**
-   * Reads at least one link.
+   * Reads an array of at least one link. A link is an input with a name, a weight and an optional curve.
    *
-   * @param known allowed names; default: any name.
+   * @param known allowed names. By default, any name is allowed.
    */
   links(field: string, known?: readonly string[]): Link[] {
     const read = (item: Fields) => ({
@@ -78,7 +78,7 @@ export class Fields {
     return this.list(field, read, 1)
   }
 
-  /** Reads an array of at least `least` items; returns an empty array if the field is missing and `least` is 0. */
+  /** Reads an array of at least `least` items. Returns an empty array if the field is missing and `least` is 0. */
   list<T>(field: string, read: (item: Fields) => T, least = 0): T[] {
     const path = `${this.#at}.${field}`
     const value = least === 0 ? orDefault(this.#json[field], []) : this.#json[field]
@@ -88,33 +88,33 @@ export class Fields {
     })
   }
 
-  /** Reads `curve` with outputs 0..1; returns `fallback` if the field is missing. */
+  /** Reads the field `curve`, a curve with outputs 0..1. Returns `fallback` if the field is missing. */
   curve(fallback?: readonly CurvePoint[]): Curve {
     return this.#curve(0, 1, fallback)
   }
 
-  /** Whether the field is present. */
+  /** Returns whether the field exists. */
   has(field: string): boolean {
     return this.#json[field] !== undefined
   }
 
-  /** Reads the optional vector `axis` of any length except 0. */
+  /** Reads the optional field `axis`, a vector of any length except 0. */
   axis(): { axis?: [number, number, number] } {
     if (!this.has('axis')) return {}
     const [x, y, z] = this.#vector('axis', 3)
     if (Math.hypot(x, y, z) > 0) return { axis: [x, y, z] }
-    this.#reader.fail(`${this.#at}.axis has no direction`, '0, 0, 0', undefined, 'write e.g. [1, 0, 0]')
+    this.#reader.fail(`${this.#at}.axis has length zero`, '0, 0, 0', undefined, 'write e.g. [1, 0, 0]')
   }
 
-  /** Reads the optional vector `direction` in texture coordinates, of any length except 0. */
+  /** Reads the optional field `direction`, a vector in texture coordinates. Its length must not be 0. */
   direction(): { direction?: [number, number] } {
     if (!this.has('direction')) return {}
     const [u, v] = this.#vector('direction', 2)
     if (Math.hypot(u, v) > 0) return { direction: [u, v] }
-    this.#reader.fail(`${this.#at}.direction has no direction`, '0, 0', undefined, 'write e.g. [1, 0]')
+    this.#reader.fail(`${this.#at}.direction has length zero`, '0, 0', undefined, 'write e.g. [1, 0]')
   }
 
-  /** Reads `origin` and `insertion` of a muscle, which must differ. */
+  /** Reads the fields `origin` and `insertion` of a muscle, two points that must differ. */
   muscleAxis(): Record<'origin' | 'insertion', [number, number, number]> {
     const point = (field: string): [number, number, number] => {
       const [x, y, z] = this.#vector(field, 3)
@@ -131,7 +131,7 @@ export class Fields {
     )
   }
 
-  /** Reads `inner` and `outer` of a muscle: where its pull is strongest and where it ends, as fractions of its length from the origin. */
+  /** Reads the fields `inner` and `outer` of a muscle. `outer` must be larger than `inner`. */
   zone(): { inner: number; outer: number } {
     const [inner, outer] = [this.number('inner', 0, 10, 0.8), this.number('outer', 0.001, 10, 1.2)]
     if (outer > inner) return { inner, outer }

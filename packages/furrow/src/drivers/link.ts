@@ -1,17 +1,17 @@
 import type { Input, InputLink } from './activation.ts'
 import type { Curve } from './curve.ts'
 
-/** Input of a driver in a file: its value, passed through the optional curve, times the weight. */
+/** A link in a file: an input of a driver, with a curve and a weight. The result of the link is `weight * curve(input)`. */
 export interface Link {
-  /** Name of the input, such as a blendshape. */
+  /** Name of the input, such as the name of a blendshape. */
   name: string
-  /** Positive or negative. */
+  /** Any number, also negative. */
   weight: number
-  /** Optional curve from the input to any number. */
+  /** Curve that is applied to the input. Its outputs can be any numbers. Without a curve, the input is used unchanged. */
   curve?: Curve
 }
 
-/** Converts links of a file to links to inputs of one kind. */
+/** Converts links of a driver in a file to links for evaluation. All inputs have the given kind. */
 export function linksTo(kind: 'target' | 'area', links: readonly Link[]): InputLink[] {
   return links.map(({ name, ...link }) => ({ ...link, input: { kind, name } }))
 }

@@ -8,25 +8,25 @@ import { type MapsAndAreas, readMaps } from '../core/maps/wrinkle-maps.ts'
 import { Fields } from './fields.ts'
 import { definitionOf, type WrinkleDriver } from './registry.ts'
 
-/** JSON of the glTF extension on a material, checked and with defaults filled in. */
+/** JSON of the glTF extension FURROW_wrinkle_maps on a material, checked and with defaults filled in. */
 export interface WrinkleMaps extends MapsAndAreas {
   /** Drivers in the order of the file. */
   drivers: WrinkleDriver[]
 }
 
-/** `wrinkles.json`: a wrinkle set whose images are files with URLs relative to the document. */
+/** Contents of `wrinkles.json`: layers, areas and drivers. Images are separate files, with URLs relative to `wrinkles.json`. */
 export interface WrinkleSetDocument extends SetDocument {
-  /** Drivers, as in the glTF extension. */
+  /** Drivers in the order of the file, in the same format as in the glTF extension. */
   drivers?: WrinkleDriver[]
 }
 
 /**
- * Reads the JSON of the glTF extension. Unknown fields are ignored; drivers of unknown type are kept.
+ * Reads and checks the JSON of the glTF extension. Unknown fields are ignored. Drivers of unknown type are kept.
  *
  * @param json value of `material.extensions.FURROW_wrinkle_maps`, of any type.
- * @param textureCount number of textures in the file, to check indices; default: unchecked.
+ * @param textureCount number of textures in the file. Without it, indices of textures are not checked.
  * @param who name of the file or material in errors.
- * @param onError receives the error of each malformed driver, which is skipped; default: throws the first error.
+ * @param onError receives the errors of malformed drivers, which are skipped. By default, the first error is thrown.
  * @throws FurrowError naming the first field that is missing, has the wrong type or is out of range.
  */
 export function parseWrinkleMaps(
@@ -41,11 +41,11 @@ export function parseWrinkleMaps(
 }
 
 /**
- * Reads `wrinkles.json`. Unknown fields are ignored, so that later versions can add fields.
+ * Reads and checks `wrinkles.json`. Unknown fields are ignored, so that later versions can add fields.
  *
  * @param json result of `JSON.parse`.
  * @param who name of the file in errors.
- * @param convention default for areas without one.
+ * @param convention convention of areas without the field `convention`.
  * @throws FurrowError naming the first field that is missing, has the wrong type or is out of range.
  */
 export function parseWrinkleSetDocument(
@@ -62,9 +62,9 @@ export function parseWrinkleSetDocument(
 }
 
 /**
- * Reads drivers from JSON, as in files, and fills in defaults. Drivers of unknown type are kept.
+ * Reads and checks drivers in the format of `wrinkles.json`, and fills in defaults. Drivers of unknown type are kept.
  *
- * @param json array of drivers; undefined for none.
+ * @param json array of drivers, or undefined for no drivers.
  * @param areas names of the areas that drivers may use.
  * @param who name of the caller in errors.
  * @throws FurrowError naming the first field that is missing, has the wrong type or is out of range.

@@ -2,46 +2,46 @@ import type { AreaActivation, Input, InputKind, InputOf } from './activation.ts'
 import type { ActivationFilter, InputFilter } from './definition.ts'
 import { definitionOf, type WrinkleDriver } from './registry.ts'
 
-/** One driver that activates an area. */
+/** A driver that activates an area. */
 export interface PlannedActivation {
   driver: WrinkleDriver
-  /** Contribution to the area. */
   activation: AreaActivation
 }
 
-/** One driver that filters inputs. */
 export interface PlannedFilter {
   driver: WrinkleDriver
-  /** Filter of the inputs. */
   filter: InputFilter
 }
 
-/** Drivers in evaluation order: plain data, shared by all faces with these drivers. */
+/** The drivers of a face, sorted for evaluation. Drivers activate areas (groups of wrinkles). Several faces can share a plan. */
 export interface DriverPlan {
   /** All drivers, in their original order. */
   readonly drivers: readonly WrinkleDriver[]
-  /** Every area that a driver reads or writes. */
+  /** Names of all areas that a driver reads or activates. */
   readonly areaNames: readonly string[]
   /**
-   * Areas activated by motion: blendshapes, joints, tension or other areas. An activation set on these areas lasts until the next frame. On
-   * others it stays, and custom inputs add to it.
+   * Names of areas that are driven by motion: by blendshapes, joints, tension or other areas. If the application sets the activation of a
+   * listed area, the value lasts until the next frame. For other areas, the value is kept, and inputs such as age add to the value.
    */
   readonly movedAreas: ReadonlySet<string>
   /** Drivers that filter inputs, in the order of the file. */
   readonly inputFilters: readonly PlannedFilter[]
-  /** First the drivers that read no area, in the order of the file. Then the others, sorted so that dependencies come first. */
+  /**
+   * Drivers that activate areas, in evaluation order. Drivers that read no area come first, in the order of the file. A driver that reads an
+   * area follows all drivers that activate this area.
+   */
   readonly activations: readonly PlannedActivation[]
-  /** At most one per area. */
+  /** Filters of activations, at most one per area. */
   readonly activationFilters: readonly ActivationFilter[]
-  /** All inputs by kind: the same objects as in the filters and links. */
+  /** All inputs by kind: the same objects as in `inputFilters` and `activations`. */
   readonly inputs: { readonly [K in InputKind]: readonly InputOf<K>[] }
-  /** Areas that depend on themselves; their drivers that read areas are skipped. */
+  /** Areas that depend on themselves, directly or through other areas. Drivers that activate such an area and read areas are skipped. */
   readonly cyclicAreas: readonly string[]
-  /** Unknown driver types; their drivers are skipped. */
+  /** Driver types that are not registered. Drivers of these types are skipped. */
   readonly unknownTypes: readonly string[]
 }
 
-/** Orders the drivers of a face for evaluation. Drivers of unknown type are skipped. */
+/** Sorts the drivers of a face for evaluation. */
 export function planDrivers(drivers: readonly WrinkleDriver[]): DriverPlan {
   const known = drivers.flatMap((driver) => {
     const definition = definitionOf(driver.type)
@@ -63,7 +63,7 @@ export function planDrivers(drivers: readonly WrinkleDriver[]): DriverPlan {
     return filter ? [{ driver, filter }] : []
   })
   const filters = known.flatMap(({ driver, definition }) => definition.filterActivation?.(driver) ?? [])
-  // With several filters for one area, the last one counts.
+  // If several filters have the same area, only the last one is kept.
   const activationFilters = [...new Map(filters.map((filter) => [filter.area, filter])).values()]
   const inputs = [
     ...inputFilters.flatMap(({ filter }) => filter.inputs),
@@ -107,7 +107,7 @@ function readAreas({ activation }: PlannedActivation): string[] {
   return activation.links.flatMap(({ input }) => (input.kind === 'area' ? [input.name] : []))
 }
 
-/** Sorts drivers topologically: drivers that write an area come before those that read it. */
+/** Sorts drivers topologically: drivers that activate an area come before drivers that read it. */
 function sortByDependency(planned: readonly PlannedActivation[]): PlannedActivation[] {
   const sorted: PlannedActivation[] = []
   let rest = planned

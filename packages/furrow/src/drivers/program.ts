@@ -5,66 +5,66 @@ import { pointsOf } from './curve.ts'
 import type { ActivationFilter } from './definition.ts'
 import type { DriverPlan, PlannedActivation } from './plan.ts'
 
-/** One input, resolved to values of a source. */
+/** An input of drivers, resolved to values of a source. */
 export interface BoundInput {
-  /** Indices of the source's values; the input is their mean. Empty if the model lacks the input. */
+  /** Indices of values of the source. The input is the mean of these values. Empty if the model lacks the input. */
   indices: readonly number[]
-  /** Missing parts of the model, for warnings, e.g. `target "jawOpen"`. */
+  /** Parts that the model lacks, as text for warnings, e.g. `target "jawOpen"`. */
   missing: readonly string[]
 }
 
-/** Provides the inputs of one kind as a list of values per face. */
+/** Describes the values from which the inputs of one kind, such as blendshape weights, are read. */
 export interface InputSource {
-  /** Number of values. */
+  /** Number of values per face. */
   readonly count: number
-  /** Inputs in the order of the plan's inputs of that kind. */
+  /** The plan's inputs of this kind, in the plan's order. */
   readonly inputs: readonly BoundInput[]
 }
 
-/** Sources by kind of input. Drivers that read a kind without a source are skipped. */
+/** One source per kind of input. Drivers that read inputs of a kind without a source are skipped. */
 export type InputSources = { readonly [K in ExternalInputKind]?: InputSource }
 
-/** Inputs and outputs of the drivers of one face, and the state that they keep between frames. */
+/** Inputs and results of the drivers of one face, and state that drivers keep between frames. */
 export interface DriverState {
-  /** All inputs. Input filters change them. */
+  /** Values of all kinds of inputs. Input filters change them. */
   readonly values: Float64Array
-  /** Inputs by kind, as views of `values`; written by the caller before each `evaluate`. */
+  /** Values by kind of input, as views of `values`. The caller writes them before each call of `evaluate`. */
   readonly inputs: Readonly<Record<ExternalInputKind, Float64Array>>
-  /** Resting activations, 0..1, by area of the plan; written by the caller. Drivers add to them. */
+  /** Resting activations, 0..1, of the plan's areas. The caller writes them, and drivers add to them. */
   readonly resting: Float32Array
-  /** Result, 0..1, by area of the plan. */
+  /** Resulting activations, 0..1, of the plan's areas. */
   readonly activations: Float32Array
-  /** Result of the previous frame. */
+  /** Resulting activations of the previous frame. */
   readonly previous: Float64Array
-  /** Seconds since the previous frame, one number; written by the caller. */
+  /** One number: seconds since the previous frame. The caller writes it. */
   readonly seconds: Float64Array
   /** Whether a previous frame exists. */
   hasRun: boolean
-  /** Whether delays have ended: the same inputs give the same activations in the next frame. */
+  /** Whether delays have ended, so that the same inputs result in the same activations in the next frame. */
   isSettled: boolean
 }
 
 const KINDS = ['target', 'joint', 'tension', 'value'] as const satisfies readonly ExternalInputKind[]
 
 /**
- * A plan bound to the inputs of a model. Evaluates in the order of the specification: input filters, drivers that read inputs, drivers
- * that read areas, activation filters. The caller owns all state (`createState`).
+ * Evaluates the drivers of a plan on a model. Drivers compute activations of areas (groups of wrinkles) from inputs. The order of evaluation
+ * is: input filters, drivers that read inputs, drivers that read areas, activation filters. `createState` creates the state of a face.
  */
 export class DriverProgram {
   readonly plan: DriverPlan
   /** Missing inputs, e.g. `target "jawOpen" of a driver of area "chin"`. */
   readonly missing: readonly string[]
-  /** Activations of the plan that can be evaluated, in order. */
+  /** Drivers of the plan that activate an area and whose inputs can be read, in evaluation order. */
   readonly activations: readonly PlannedActivation[]
   readonly #bound: readonly BoundActivation[]
   readonly #sum: ActivationSum
   readonly #inputFilters: readonly ((values: Float64Array) => void)[]
   readonly #activationFilters: readonly ReturnType<ActivationFilter['bind']>[]
-  /** Scratch copy of the previous result. */
+  /** Scratch copy of the previous frame's activations. */
   readonly #before: Float64Array
   readonly #ranges: Readonly<Record<ExternalInputKind, { start: number; end: number }>>
 
-  /** @param sources sources with the inputs of the plan, in the same order. */
+  /** @param sources sources of the plan's inputs. */
   constructor(plan: DriverPlan, sources: InputSources) {
     const ranges = {} as Record<ExternalInputKind, { start: number; end: number }>
     const bound = new Map<Input, BoundInput>()
@@ -100,7 +100,6 @@ export class DriverProgram {
     this.missing = listMissing(plan, bound)
   }
 
-  /** Creates the state of one face. */
   createState(): DriverState {
     const areas = this.plan.areaNames.length
     const values = new Float64Array(this.#ranges.value.end)
@@ -132,10 +131,10 @@ export class DriverProgram {
   }
 
   /**
-   * Filters inputs and adds the output of each driver to its area: `evaluate` without activation filters. Allocates nothing.
+   * Filters inputs, and adds the output of each driver to its area. Does not run activation filters. Allocates nothing.
    *
-   * @param activations resting activations by area of the plan; modified.
-   * @param values all inputs; modified by filters.
+   * @param activations resting activations of the plan's areas; modified.
+   * @param values values of all inputs; modified by input filters.
    */
   addTo(activations: Float32Array, values: Float64Array): void {
     for (let i = 0; i < this.#inputFilters.length; i++) this.#inputFilters[i](values)
@@ -154,10 +153,10 @@ export class DriverProgram {
   }
 
   /**
-   * Returns the contribution of one of `activations` to its area. Allocates.
+   * Returns the contribution of one driver to its area. Allocates.
    *
-   * @param index index in `activations`.
-   * @param state an evaluated state.
+   * @param index index of the driver in `activations`.
+   * @param state state after a call of `evaluate`.
    */
   explain(index: number, state: DriverState): Contribution {
     return contributionOf(this.#sum, index, this.#bound[index], state.activations, state.values)
@@ -169,7 +168,7 @@ function isSame(a: Float64Array, b: Float64Array): boolean {
   return true
 }
 
-/** Whether a driver can read an input. A missing blendshape counts as weight 0; a missing joint or surface cannot be measured. */
+/** Whether a driver can read an input. A blendshape that the model lacks has weight 0. Other inputs need at least one value. */
 function canRead(input: Input, bound: BoundInput | undefined): boolean {
   return bound !== undefined && (input.kind === 'target' || bound.indices.length > 0)
 }

@@ -25,7 +25,7 @@ export type {
   TimeDriver,
 }
 
-/** Built-in drivers. */
+/** A driver of one of the types that Furrow includes. */
 export type KnownDriver =
   | MorphDriver
   | AreaDriver
@@ -38,16 +38,16 @@ export type KnownDriver =
   | TimeDriver
   | ExpressionDriver
 
-/** Built-in driver types. */
+/** Name of a driver type that Furrow includes, e.g. `morph`. */
 export type DriverType = KnownDriver['type']
 
-/** Drivers of one type. */
+/** Driver with the type name `T`. */
 export type DriverOf<T extends DriverType> = Extract<KnownDriver, { type: T }>
 
-/** A driver. Drivers of unknown type are kept, so that files of later versions survive. */
+/** A driver. Types that this version does not know are allowed, so that drivers of later versions are kept when a file is edited. */
 export type WrinkleDriver = KnownDriver | { type: string; [field: string]: unknown }
 
-/** Definitions of built-in types, in the order of the specification. */
+/** Definitions of the built-in driver types, in the order of docs/FURROW_wrinkle_maps.md. */
 const DEFINITIONS: { readonly [T in DriverType]: DriverDefinition<DriverOf<T>> } = {
   morph,
   area,
@@ -61,13 +61,13 @@ const DEFINITIONS: { readonly [T in DriverType]: DriverDefinition<DriverOf<T>> }
   expression,
 }
 
-/** Built-in driver types, in the order of the specification. */
+/** Built-in driver types, in the order of docs/FURROW_wrinkle_maps.md. */
 export const DRIVER_TYPES = Object.keys(DEFINITIONS) as readonly DriverType[]
 
 const definitions = new Map(Object.entries(DEFINITIONS) as [string, DriverDefinition][])
 
 /**
- * Registers a custom driver type for all files read afterwards. Readers without the type keep its drivers and run the others.
+ * Registers a custom driver type for all files that are read afterwards. Applications that do not register the type ignore its drivers.
  *
  * @throws FurrowError if the type already exists, or the definition lacks `type` or `read`.
  */
@@ -86,12 +86,12 @@ export function registerDriver<D extends { type: string }>(definition: DriverDef
   definitions.set(definition.type, definition as unknown as DriverDefinition)
 }
 
-/** Returns the definition of a type; undefined if the type is neither built-in nor registered. */
+/** Returns the definition of a driver type, or undefined if the type is neither built-in nor registered. */
 export function definitionOf(type: string): DriverDefinition | undefined {
   return definitions.get(type)
 }
 
-/** Whether a driver's type is built-in or registered. Other drivers have no effect. */
+/** Whether the type of a driver is built-in or registered. Other drivers have no effect. */
 export function isKnownDriver(driver: WrinkleDriver): boolean {
   return definitions.has(driver.type)
 }

@@ -2,7 +2,7 @@ import type { InputOf } from './activation.ts'
 import { targetFinder } from './morph/target-names.ts'
 import type { InputSource } from './program.ts'
 
-/** Creates a source of a mesh's morph target weights, in the order of the names. */
+/** Creates an input source whose values are the morph target weights of a mesh, in the order of `targetNames`. */
 export function targetSource(
   inputs: readonly InputOf<'target'>[],
   targetNames: readonly string[],
@@ -17,7 +17,7 @@ export function targetSource(
   }
 }
 
-/** Creates a source of custom inputs, one value per unique name; `initial` holds the values until they are set. */
+/** Creates an input source whose values are set by the application, one per unique name. `initial` contains the initial values. */
 export function valueSource(
   inputs: readonly InputOf<'value'>[],
 ): InputSource & { readonly names: readonly string[]; readonly initial: readonly number[] } {
@@ -33,9 +33,9 @@ export function valueSource(
 }
 
 /**
- * Creates a source of measurements, one value per input.
+ * Creates an input source whose values are measured on the model, one per input.
  *
- * @param missing per input: missing parts of the model, for warnings; empty if the input is measured.
+ * @param missing for each input, the parts that the model lacks, as text for warnings. Empty if the input can be measured.
  */
 export function measuredSource(missing: readonly (readonly string[])[]): InputSource {
   return {

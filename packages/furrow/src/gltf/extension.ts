@@ -13,7 +13,7 @@ import { WrinkleLayer } from './wrinkle-layer.ts'
 import { writeMaterialWrinkles } from './write.ts'
 
 /**
- * The glTF extension FURROW_wrinkle_maps for glTF-Transform. Register it with an I/O class to read and write the wrinkles of files.
+ * The glTF extension FURROW_wrinkle_maps for glTF-Transform. It reads and writes the wrinkles of materials. Register it with an I/O class:
  *
  * ```ts
  * const io = new NodeIO().registerExtensions([...ALL_EXTENSIONS, FurrowWrinkleMaps])
@@ -21,28 +21,28 @@ import { writeMaterialWrinkles } from './write.ts'
  * const wrinkles = document.getRoot().listMaterials()[0].getExtension<MaterialWrinkles>('FURROW_wrinkle_maps')
  * ```
  *
- * Reading throws a FurrowError if the extension's JSON is invalid. Writing throws a FurrowError if a layer or an area has no texture, or a
- * value is invalid.
+ * Reading throws a FurrowError if the extension's JSON is invalid. Writing throws a FurrowError if a value is invalid, or if a layer or an
+ * area has no texture.
  */
 export class FurrowWrinkleMaps extends Extension {
   static override readonly EXTENSION_NAME = WRINKLE_MAPS
   override readonly extensionName = WRINKLE_MAPS
-  // When meshes are read, textures and materials are complete. When meshes are written, other extensions have not yet modified the texture
-  // definitions (WebP, Basis) and the texture infos (transform) that `prewrite` creates.
+  // `preread` and `prewrite` run when glTF-Transform reaches the meshes, after textures and materials. The extensions for WebP, Basis and
+  // texture transforms write later. They therefore also convert the texture references that `prewrite` creates.
   override readonly prereadTypes: PropertyType[] = [PropertyType.MESH]
   override readonly prewriteTypes: PropertyType[] = [PropertyType.MESH]
 
-  /** Creates the wrinkles of a material, for `material.setExtension('FURROW_wrinkle_maps', ...)`. */
+  /** Creates empty wrinkles. Add them to a material with `material.setExtension('FURROW_wrinkle_maps', wrinkles)`. */
   createMaterialWrinkles(): MaterialWrinkles {
     return new MaterialWrinkles(this.document.getGraph())
   }
 
-  /** Creates a layer, for {@link MaterialWrinkles.addLayer}. */
+  /** Creates a layer. Add it to wrinkles with {@link MaterialWrinkles.addLayer}. */
   createLayer(name = ''): WrinkleLayer {
     return new WrinkleLayer(this.document.getGraph(), name)
   }
 
-  /** Creates an area, for {@link MaterialWrinkles.addArea}. */
+  /** Creates an area. Add it to wrinkles with {@link MaterialWrinkles.addArea}. */
   createArea(name = ''): WrinkleArea {
     return new WrinkleArea(this.document.getGraph(), name)
   }

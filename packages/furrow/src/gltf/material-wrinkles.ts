@@ -7,17 +7,20 @@ import type { WrinkleLayer } from './wrinkle-layer.ts'
 interface IMaterialWrinkles extends IProperty {
   layers: RefSet<WrinkleLayer>
   areas: RefSet<WrinkleArea>
-  /** One JSON text per driver. glTF-Transform copies and compares properties shallowly, which is correct for texts but not for objects. */
+  /** One JSON text per driver. Drivers are stored as texts, because glTF-Transform copies and compares properties shallowly. */
   drivers: string[]
-  /** JSON text of the strokes document; the text `null` if there is none. */
+  /** JSON text of the strokes (wrinkle lines as curves). The text is `null` if there are none. */
   strokes: string
-  /** JSON text of the corrections to recognised blendshapes; the text `null` if there are none. */
+  /** JSON text of the facial shapes that the user assigned to blendshapes. The text is `null` if there are none. */
   shapes: string
-  /** JSON of unknown fields. */
+  /** JSON text of unknown fields. */
   unknownFields: string
 }
 
-/** Wrinkles of a material: layers, areas, drivers, strokes, and corrections to recognised blendshapes. See {@link FurrowWrinkleMaps}. */
+/**
+ * Wrinkles of a material: layers, areas, drivers, strokes, and facial shapes that the user assigned to blendshapes. See
+ * {@link FurrowWrinkleMaps}.
+ */
 export class MaterialWrinkles extends ExtensionProperty<IMaterialWrinkles> {
   static override readonly EXTENSION_NAME = WRINKLE_MAPS
   declare readonly extensionName: typeof WRINKLE_MAPS
@@ -43,12 +46,12 @@ export class MaterialWrinkles extends ExtensionProperty<IMaterialWrinkles> {
     })
   }
 
-  /** Appends a layer. The specification allows 1 to 4. */
+  /** Appends a layer. The specification allows 1 to 4 layers. */
   addLayer(layer: WrinkleLayer): this {
     return this.addRef('layers', layer)
   }
 
-  /** Removes a layer. Areas that use the layer must be changed or removed too, because writing throws otherwise. */
+  /** Removes a layer. Also change or remove all areas that use the layer. Otherwise, writing throws. */
   removeLayer(layer: WrinkleLayer): this {
     return this.removeRef('layers', layer)
   }
@@ -58,12 +61,12 @@ export class MaterialWrinkles extends ExtensionProperty<IMaterialWrinkles> {
     return this.listRefs('layers')
   }
 
-  /** Appends an area. The specification allows 1 to 256. */
+  /** Appends an area. The specification allows 1 to 256 areas. */
   addArea(area: WrinkleArea): this {
     return this.addRef('areas', area)
   }
 
-  /** Removes an area. Drivers that name the area must be changed or removed too, because writing throws otherwise. */
+  /** Removes an area. Also change or remove all drivers that name the area. Otherwise, writing throws. */
   removeArea(area: WrinkleArea): this {
     return this.removeRef('areas', area)
   }
@@ -78,7 +81,7 @@ export class MaterialWrinkles extends ExtensionProperty<IMaterialWrinkles> {
     return this.get('drivers').map((text) => JSON.parse(text))
   }
 
-  /** Replaces all drivers by copies of the given ones. Drivers must be JSON data. */
+  /** Replaces all drivers by copies of `drivers`, which must be JSON data. */
   setDrivers(drivers: readonly WrinkleDriver[]): this {
     return this.set(
       'drivers',
@@ -86,22 +89,22 @@ export class MaterialWrinkles extends ExtensionProperty<IMaterialWrinkles> {
     )
   }
 
-  /** Returns an unchecked copy of the strokes document; null if there is none. `parseStrokes` of `furrow/author` checks it. */
+  /** Returns a copy of the strokes' JSON, or null if there are no strokes. The JSON is not checked; to check it, call `parseStrokes` of `furrow/author`. */
   getStrokes(): unknown {
     return JSON.parse(this.get('strokes'))
   }
 
-  /** Replaces the strokes document by a copy of the given one, which must be JSON data. Null removes it. */
+  /** Replaces the strokes by a copy of `strokes`, which must be JSON data. Null removes the strokes. */
   setStrokes(strokes: unknown): this {
     return this.set('strokes', JSON.stringify(strokes ?? null))
   }
 
-  /** Returns an unchecked copy of the corrections to recognised blendshapes; null if there are none. */
+  /** Returns a copy of the facial shapes that the user assigned to blendshapes, or null if there are none. The JSON is not checked. */
   getShapes(): unknown {
     return JSON.parse(this.get('shapes'))
   }
 
-  /** Replaces the corrections to recognised blendshapes by a copy of the given ones, which must be JSON data. Null removes them. */
+  /** Replaces the facial shapes (see `getShapes`) by a copy of `shapes`, which must be JSON data. Null removes them. */
   setShapes(shapes: unknown): this {
     return this.set('shapes', JSON.stringify(shapes ?? null))
   }
@@ -111,7 +114,7 @@ export class MaterialWrinkles extends ExtensionProperty<IMaterialWrinkles> {
     return JSON.parse(this.get('unknownFields'))
   }
 
-  /** Replaces the unknown fields by a copy of the given ones, which must be JSON data. */
+  /** Replaces the unknown fields by a copy of `fields`, which must be JSON data. */
   setUnknownFields(fields: Record<string, unknown>): this {
     return this.set('unknownFields', JSON.stringify(fields))
   }

@@ -8,14 +8,14 @@ import { LAYER_SLOTS, type LayerSlot, type WrinkleLayer } from './wrinkle-layer.
 
 type Json = Record<string, unknown>
 
-/** Part of `FurrowWrinkleMaps` that creates properties of a document. */
+/** Methods of `FurrowWrinkleMaps` that create properties of a glTF-Transform document. */
 interface PropertyFactory {
   createMaterialWrinkles(): MaterialWrinkles
   createLayer(name: string): WrinkleLayer
   createArea(name: string): WrinkleArea
 }
 
-/** Fields of the extension's JSON that have accessors. All other fields are kept as unknown fields. */
+/** Fields of the extension's JSON that `MaterialWrinkles`, `WrinkleLayer` and `WrinkleArea` represent. Other fields are kept as unknown. */
 const KNOWN = {
   root: ['name', 'extras', 'layers', 'areas', 'drivers', 'strokes', 'shapes'],
   layer: ['name', 'extras', 'kind', ...Object.keys(LAYER_SLOTS)],
@@ -47,6 +47,7 @@ export function readMaterialWrinkles(
       .setOcclusionStrength(layer.occlusionTexture?.strength ?? 1)
       .setHeightAmplitude(layer.heightTexture?.amplitude ?? 0)
       .setBloodAmplitude(layer.bloodTexture?.amplitude ?? 0)
+      .setOnsetStrength(layer.onsetTexture?.strength ?? 1)
       .setExtras(extrasOf(raw.layers[i]))
       .setUnknownFields(without(raw.layers[i], KNOWN.layer))
     for (const slot of Object.keys(LAYER_SLOTS) as LayerSlot[]) {
@@ -82,7 +83,7 @@ export function readMaterialWrinkles(
     .setUnknownFields(without(raw, KNOWN.root))
 }
 
-/** Returns the texture with a glTF texture index. Throws if the format of its image needs an extension that is not registered. */
+/** Returns the texture with an index in the glTF file. Throws if the texture has no image that glTF-Transform has read. */
 function textureOf(context: ReaderContext, index: number, who: string): Texture {
   const texture = context.textures[context.jsonDoc.json.textures![index]?.source ?? -1]
   if (texture) return texture

@@ -24,7 +24,7 @@ interface IWrinkleArea extends IProperty {
 
 const CHANNELS = [TextureChannel.R, TextureChannel.G, TextureChannel.B, TextureChannel.A]
 
-/** Area of influence: a gray map that tells where one controllable group of wrinkles is. See {@link MaterialWrinkles}. */
+/** Area of influence: a gray image that tells where one controllable group of wrinkles is. See {@link MaterialWrinkles}. */
 export class WrinkleArea extends ExtensionProperty<IWrinkleArea> {
   static override readonly EXTENSION_NAME = WRINKLE_MAPS
   declare readonly extensionName: typeof WRINKLE_MAPS
@@ -55,17 +55,17 @@ export class WrinkleArea extends ExtensionProperty<IWrinkleArea> {
     })
   }
 
-  /** Returns the layer that the area controls; null means the first layer. */
+  /** Returns the layer that the area controls. Null means the first layer. */
   getLayer(): WrinkleLayer | null {
     return this.getRef('layer')
   }
 
-  /** Sets the layer that the area controls; null means the first layer. */
+  /** Sets the layer that the area controls. Null means the first layer. */
   setLayer(layer: WrinkleLayer | null): this {
     return this.setRef('layer', layer)
   }
 
-  /** Returns the image of the area's weights, in linear colour space, 1 = fully visible. */
+  /** Returns the image of the area's weights, in linear colour space. Wrinkles are fully visible where the weight is 1. */
   getTexture(): Texture | null {
     return this.getRef('weightsTexture')
   }
@@ -73,9 +73,9 @@ export class WrinkleArea extends ExtensionProperty<IWrinkleArea> {
   /**
    * Sets the image of the area's weights.
    *
-   * @param texture image in linear colour space, 1 = fully visible; null removes the image.
-   * @param channel channel of the image that contains the weights, from 0 = R to 3 = A. Default: unchanged. Other areas may use the other
-   *   channels of the same image.
+   * @param texture image in linear colour space, 1 = fully visible. Null removes the image.
+   * @param channel channel of the image that contains the weights, from 0 = R to 3 = A. By default, the channel does not change. Other areas
+   *   may use the other channels of the image.
    */
   setTexture(texture: Texture | null, channel = this.get('channel')): this {
     this.set('channel', channel)
@@ -87,18 +87,18 @@ export class WrinkleArea extends ExtensionProperty<IWrinkleArea> {
     return this.get('channel')
   }
 
-  /** Returns the slice of a KTX 2 array texture that contains the weights; null if the image is not an array. */
+  /** Returns the slice of a KTX 2 texture array that contains the weights, or null if the image is not an array. */
   getSlice(): number | null {
     const slice = this.get('slice')
     return slice === NO_SLICE ? null : slice
   }
 
-  /** Sets the slice of a KTX 2 array texture that contains the weights; null if the image is not an array. */
+  /** Sets the slice of a KTX 2 texture array that contains the weights. Pass null if the image is not an array. */
   setSlice(slice: number | null): this {
     return this.set('slice', slice ?? NO_SLICE)
   }
 
-  /** Returns the texture coordinate set and the sampler; null if the area has no image. */
+  /** Returns the texture coordinate set and the sampler, or null if the area has no image. */
   getTextureInfo(): TextureInfo | null {
     return this.getRef('weightsTexture') ? this.getRef('weightsTextureInfo') : null
   }

@@ -33,14 +33,18 @@ interface IWrinkleLayer extends IProperty {
   bloodTextureInfo: TextureInfo
   bloodTextureSlice: number
   bloodAmplitude: number
-  /** JSON of unknown fields. */
+  onsetTexture: Texture
+  onsetTextureInfo: TextureInfo
+  onsetTextureSlice: number
+  onsetStrength: number
+  /** JSON text of unknown fields. */
   unknownFields: string
 }
 
-/** Value of a slice if the texture is not an array. */
+/** Stored slice index if the texture is not an array. */
 export const NO_SLICE = -1
 
-/** Field of a layer's JSON that refers to a texture. */
+/** Name of a field in a layer's JSON that refers to a texture. */
 export type LayerSlot =
   | 'normalTexture'
   | 'baseColorTexture'
@@ -48,8 +52,9 @@ export type LayerSlot =
   | 'occlusionTexture'
   | 'heightTexture'
   | 'bloodTexture'
+  | 'onsetTexture'
 
-/** Channels that each slot uses, and whether they are colours (sRGB). */
+/** For each slot: a bit mask of the texture channels that it uses, and whether its texture contains sRGB colours. */
 export const LAYER_SLOTS: Readonly<Record<LayerSlot, { channels: number; isColor?: boolean }>> = {
   normalTexture: { channels: TextureChannel.R | TextureChannel.G | TextureChannel.B },
   baseColorTexture: { channels: TextureChannel.R | TextureChannel.G | TextureChannel.B, isColor: true },
@@ -57,9 +62,10 @@ export const LAYER_SLOTS: Readonly<Record<LayerSlot, { channels: number; isColor
   occlusionTexture: { channels: TextureChannel.R },
   heightTexture: { channels: TextureChannel.R },
   bloodTexture: { channels: TextureChannel.B },
+  onsetTexture: { channels: TextureChannel.G },
 }
 
-/** Layer: the maps of fully wrinkled skin, which areas of influence show or hide. See {@link MaterialWrinkles}. */
+/** A layer with maps of fully wrinkled skin. Areas of influence control where the maps are visible. See {@link MaterialWrinkles}. */
 export class WrinkleLayer extends ExtensionProperty<IWrinkleLayer> {
   static override readonly EXTENSION_NAME = WRINKLE_MAPS
   declare readonly extensionName: typeof WRINKLE_MAPS
@@ -100,62 +106,66 @@ export class WrinkleLayer extends ExtensionProperty<IWrinkleLayer> {
       bloodTextureInfo: info('bloodTexture'),
       bloodTextureSlice: NO_SLICE,
       bloodAmplitude: 0,
+      onsetTexture: null,
+      onsetTextureInfo: info('onsetTexture'),
+      onsetTextureSlice: NO_SLICE,
+      onsetStrength: 1,
       unknownFields: '{}',
     })
   }
 
-  /** Returns how the layer's normal map combines with the material's normal map: `replace` or `detail` (on top of it). */
+  /** Returns how the layer's normal map combines with the material's normal map. A `detail` map is laid over it; a `replace` map replaces it. */
   getKind(): LayerKind {
     return this.get('kind')
   }
 
-  /** Sets how the layer's normal map combines with the material's normal map: `replace` or `detail` (on top of it). */
+  /** Sets how the layer's normal map combines with the material's normal map. A `detail` map is laid over it; a `replace` map replaces it. */
   setKind(kind: LayerKind): this {
     return this.set('kind', kind)
   }
 
-  /** Returns the image of a slot. A layer must have a `normalTexture` to be written. */
+  /** Returns the image of a slot. A layer without a `normalTexture` cannot be written. */
   getTexture(slot: LayerSlot): Texture | null {
     return this.getRef(slot)
   }
 
-  /** Sets the image of a slot; null removes it. If a layer has both occlusion and blood, they must be channels of the same image. */
+  /** Sets the image of a slot. Null removes the image. Occlusion, blood and onset of a layer must be channels of the same image. */
   setTexture(slot: LayerSlot, texture: Texture | null): this {
     return this.setRef(slot, texture, { ...LAYER_SLOTS[slot] })
   }
 
-  /** Returns the slice that the slot uses of a KTX 2 array texture; null if the image is not an array. */
+  /** Returns which slice of a KTX 2 texture array the slot uses, or null if the image is not an array. */
   getSlice(slot: LayerSlot): number | null {
     const slice = this.get(`${slot}Slice`)
     return slice === NO_SLICE ? null : slice
   }
 
-  /** Sets the slice that the slot uses of a KTX 2 array texture; null if the image is not an array. */
+  /** Sets which slice of a KTX 2 texture array the slot uses. Pass null if the image is not an array. */
   setSlice(slot: LayerSlot, slice: number | null): this {
     return this.set(`${slot}Slice`, slice ?? NO_SLICE)
   }
 
-  /** Returns the texture coordinate set and the sampler of a slot; null if the slot has no image. */
+  /** Returns the texture coordinate set and the sampler of a slot, or null if the slot has no image. */
   getTextureInfo(slot: LayerSlot): TextureInfo | null {
     return this.getRef(slot) ? this.getRef(`${slot}Info`) : null
   }
 
-  /** Returns the factor on x and y of the layer's normals. */
+  /** Returns the factor for x and y of the layer's normals. */
   getNormalScale(): number {
     return this.get('normalScale')
   }
 
-  /** Sets the factor on x and y of the layer's normals. */
+  /** Sets the factor for x and y of the layer's normals. */
   setNormalScale(scale: number): this {
     return this.set('normalScale', scale)
   }
 
-  /** Returns the strength of the occlusion, 0 = none, 1 = as in the map. */
+  /** Returns the strength of the occlusion: 0 = no occlusion, 1 = occlusion as in the map. */
   getOcclusionStrength(): number {
     return this.get('occlusionStrength')
   }
 
-  /** Sets the strength of the occlusion, 0 = none, 1 = as in the map. */
+  /** Sets the strength of the occlusion: 0 = no occlusion, 1 = occlusion as in the map. */
   setOcclusionStrength(strength: number): this {
     return this.set('occlusionStrength', strength)
   }
@@ -170,14 +180,24 @@ export class WrinkleLayer extends ExtensionProperty<IWrinkleLayer> {
     return this.set('heightAmplitude', metres)
   }
 
-  /** Returns the optical depth, in the green channel, of the value 255 in the blood map. */
+  /** Returns the added optical depth for green light where the blood map is 255. */
   getBloodAmplitude(): number {
     return this.get('bloodAmplitude')
   }
 
-  /** Sets the optical depth, in the green channel, of the value 255 in the blood map: 0..2. */
+  /** Sets the added optical depth, 0..2, for green light where the blood map is 255. */
   setBloodAmplitude(depth: number): this {
     return this.set('bloodAmplitude', depth)
+  }
+
+  /** Returns how much the onset map delays the wrinkles: 0 = no delay, 1 = as in the map. */
+  getOnsetStrength(): number {
+    return this.get('onsetStrength')
+  }
+
+  /** Sets how much the onset map delays the wrinkles: 0 = no delay, 1 = as in the map. */
+  setOnsetStrength(strength: number): this {
+    return this.set('onsetStrength', strength)
   }
 
   /** Returns the unknown fields of the layer's JSON. Writing keeps them unchanged. */
@@ -185,7 +205,7 @@ export class WrinkleLayer extends ExtensionProperty<IWrinkleLayer> {
     return JSON.parse(this.get('unknownFields'))
   }
 
-  /** Replaces the unknown fields by a copy of the given ones, which must be JSON data. */
+  /** Replaces the unknown fields by a copy of `fields`, which must be JSON data. */
   setUnknownFields(fields: Record<string, unknown>): this {
     return this.set('unknownFields', JSON.stringify(fields))
   }

@@ -8,10 +8,10 @@ import { LAYER_SLOTS, type LayerSlot, type WrinkleLayer } from './wrinkle-layer.
 type Json = Record<string, unknown>
 
 /**
- * Returns the extension's JSON for one material. Values that equal the default are omitted.
+ * Creates the extension's JSON for one material. Fields with default values are omitted.
  *
  * @param who name of the material in errors.
- * @throws FurrowError if a texture or layer is missing, or a value is invalid.
+ * @throws FurrowError if a texture or layer is missing, or if a value is invalid.
  */
 export function writeMaterialWrinkles(context: WriterContext, wrinkles: MaterialWrinkles, who: string): Json {
   const layers = wrinkles.listLayers()
@@ -53,6 +53,7 @@ function numberOf(slot: LayerSlot, layer: WrinkleLayer): Json {
   if (slot === 'occlusionTexture' && layer.getOcclusionStrength() !== 1) {
     return { strength: layer.getOcclusionStrength() }
   }
+  if (slot === 'onsetTexture' && layer.getOnsetStrength() !== 1) return { strength: layer.getOnsetStrength() }
   return {}
 }
 
@@ -76,7 +77,7 @@ function writeArea(
   return json
 }
 
-/** Creates the JSON reference to a texture. glTF-Transform passes the same object to other extensions, which may modify it later. */
+/** Creates a glTF texture info. The object must not be copied, because other extensions may modify it later. */
 function textureInfo(context: WriterContext, texture: Texture | null, info: TextureInfo | null) {
   return texture && info && context.createTextureInfoDef(texture, info)
 }

@@ -15,8 +15,8 @@ const MODES: readonly WrinkleMode[] = ['default', 'composed', 'paper', 'off']
 const RELIEF_MODES: readonly ReliefMode[] = ['off', 'near', 'on']
 
 /**
- * A panel to inspect the wrinkles of one face. It shows the activation of each area and the inputs that drive it, technical views, mode,
- * relief and cost. It works with `WebGLRenderer` and `WebGPURenderer`.
+ * A panel to inspect the wrinkles of one face. It lists the activation of each area and the inputs that drive the area. The page's user can
+ * also choose a technical view, the shading mode and relief, and read the cost. The panel works with `WebGLRenderer` and `WebGPURenderer`.
  *
  * The panel is a `GUI` of lil-gui in the top right corner of the page. It closes when the wrinkles are disposed of.
  *
@@ -33,7 +33,7 @@ export class WrinkleInspector {
   readonly #wrinkles: WrinklesBase
   readonly #view: FaceView
   readonly #areas: AreaList
-  /** Texts in the panel's folder "Cost". */
+  /** Texts in the folder "Cost" of the panel. */
   readonly #cost = { areas: '', textures: '', triangles: '' }
   #frame = 0
   #lastUpdate = -Infinity

@@ -2,7 +2,7 @@ import type { Controller, GUI } from 'three/addons/libs/lil-gui.module.min.js'
 import type { DriverPart, Explanation } from '../drivers/explain.ts'
 import type { WrinklesBase } from '../three/wrinkles-base.ts'
 
-/** Maximum number of inputs listed below an area. The strongest inputs are listed. */
+/** Maximum number of inputs listed below an area. Weaker inputs are left out. */
 const MAX_INPUTS = 3
 
 /** Controls of one area. */
@@ -12,7 +12,7 @@ interface Row {
   drivers: HTMLElement
 }
 
-/** List of one face's areas. Each area has a slider for its activation and a line with the inputs that drive it. */
+/** List of the areas of one face. Each area has a slider for its activation, and a line of text with the inputs that drive the area. */
 export class AreaList {
   /** Index of the instance whose activations are listed, for instanced meshes. */
   instance = 0

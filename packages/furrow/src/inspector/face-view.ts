@@ -15,15 +15,15 @@ export function viewsOf(wrinkles: WrinklesBase): readonly View[] {
   return wrinkles.faceCount === 1 ? VIEWS : VIEWS.filter((view) => !COPYING.includes(view))
 }
 
-/** Active view. */
+/** A view that is currently drawn. */
 interface ShownView {
-  /** Updates the view to the face's current state. Called in each animation frame. */
+  /** Updates the view to the current state of the face. Called in each animation frame. */
   follow?(): void
   /** Removes the view and restores the face. */
   end(): void
 }
 
-/** Shows a face in one of the views. */
+/** Draws a face in one of the views. */
 export class FaceView {
   readonly #wrinkles: WrinklesBase
   #shown: ShownView | null = null
@@ -61,7 +61,7 @@ function influence(wrinkles: WrinklesBase): ShownView {
   return { end: replaceMaterials(wrinkles, wrinkles.createInfluenceMaterial()) }
 }
 
-/** Draws copies of the meshes in the colours of their normals. The copies have the same wrinkles and activations. */
+/** Draws copies of the meshes in the colours of their normals. The copies have the wrinkles and activations of the meshes. */
 function normals(wrinkles: WrinklesBase): ShownView {
   const plain = [wrinkles.cloneMaterial()].flat()
   const { normalMap, normalScale, side } = plain.find((own) => 'normalMap' in own) as MeshStandardMaterial
@@ -130,7 +130,7 @@ function replaceMaterials({ meshes }: WrinklesBase, material: Material): () => v
   const originals = meshes.map((mesh) => ({ mesh, original: mesh.material }))
   for (const mesh of meshes) mesh.material = material
   return () => {
-    // The page may have replaced the material meanwhile.
+    // A mesh keeps its material if the page has replaced `material` in the meantime.
     for (const { mesh, original } of originals) if (mesh.material === material) mesh.material = original
     material.dispose()
   }

@@ -1,6 +1,6 @@
 import type { Material, Mesh } from 'three'
 
-/** Adds an invisible copy of a mesh. It moves with the mesh, because it shares the geometry, the joints and the blendshape weights. */
+/** Adds an invisible copy of a mesh. The copy shares geometry, joints and blendshape weights, so it moves with the mesh. */
 export function movingCopy(mesh: Mesh, material: Material): Mesh {
   const copy = mesh.clone(false)
   copy.material = material

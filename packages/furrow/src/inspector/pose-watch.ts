@@ -1,6 +1,6 @@
 import type { BufferAttribute, Mesh, Object3D, SkinnedMesh } from 'three'
 
-/** Detects changes of a face's pose: blendshape weights and offsets, joints, and the transforms of its meshes. */
+/** Detects changes of the pose of a face. The pose consists of blendshape weights and offsets, joints, and the transforms of meshes. */
 export class PoseWatch {
   readonly #meshes: readonly Mesh[]
   #pose: number[] = []
@@ -23,7 +23,7 @@ export class PoseWatch {
     for (const root of new Set(this.#meshes.map(rootOf))) root.updateMatrixWorld()
     for (const mesh of this.#meshes) {
       pose.push(...(mesh.morphTargetInfluences ?? []), ...mesh.matrixWorld.elements)
-      // Editing a muscle changes the offsets of its blendshape.
+      // If the user edits a virtual muscle, the offsets of its blendshape change.
       for (const offsets of mesh.geometry.morphAttributes.position ?? [])
         pose.push((offsets as BufferAttribute).version ?? 0)
       const bones = (mesh as Partial<SkinnedMesh>).skeleton?.bones ?? []

@@ -4,7 +4,7 @@ import { movingCopy } from './moving-copy.ts'
 import { PoseWatch } from './pose-watch.ts'
 import { strainColour, strainOf } from './strain.ts'
 
-/** Copies of a face's meshes that follow its pose and show its strain in vertex colours. */
+/** Draws the strain of a face's skin. Copies of the meshes follow the pose of the face, and have the strain as vertex colours. */
 export class StrainView {
   readonly #parts: { mesh: Mesh; copy: Mesh; rest: Float32Array; indices: ArrayLike<number> }[]
   readonly #material = new MeshBasicMaterial({ vertexColors: true, toneMapped: false })
@@ -49,7 +49,7 @@ export class StrainView {
   }
 }
 
-/** Copies the attributes of a geometry. They cannot be shared, because disposing of a geometry frees its attributes on the GPU. */
+/** Copies a geometry for drawing strain. Attributes are not shared, because disposing of a geometry frees its attributes on the GPU. */
 function geometryOf({
   attributes,
   morphAttributes,

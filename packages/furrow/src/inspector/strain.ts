@@ -1,6 +1,6 @@
 import { principalStretches, restInverse } from '../math/stretch.ts'
 
-/** Absolute value of the strain from which the colour no longer changes. */
+/** Absolute strain at which the colour is `COMPRESSED` or `STRETCHED`. Larger strains have the same colour. */
 const FULL = 0.3
 
 // Colours of compressed skin, of skin at rest and of stretched skin, in linear RGB.
@@ -9,8 +9,8 @@ const REST = [0.2, 0.2, 0.21] as const
 const STRETCHED = [0.06, 0.3, 0.85] as const
 
 /**
- * Computes the strain of a deformed surface. The strain of a triangle is its principal strain of the larger magnitude. The strain of a vertex
- * is the mean over its triangles, weighted by their area at rest.
+ * Computes the strain at each vertex of a deformed surface. The strain of a triangle is the principal strain with the larger absolute value.
+ * The strain of a vertex is the mean over its triangles, weighted by their area at rest.
  *
  * @param rest xyz of each vertex at rest.
  * @param posed xyz of each vertex in the pose.
@@ -32,7 +32,7 @@ export function strainOf(
     principalStretches(stretches, inverse, 0, a, b, c, posed)
     const [least, most] = [stretches[0] - 1, stretches[1] - 1]
     const strain = -least > most ? least : most
-    // Twice the triangle's area at rest, because the diagonal of `inverse` is 1 / base and 1 / height of the triangle.
+    // This is twice the area of the triangle at rest: inverse[0] is 1 / base of the triangle, and inverse[2] is 1 / height.
     const area = 1 / (inverse[0] * inverse[2])
     for (const vertex of [a, b, c]) {
       sums[vertex] += area * strain

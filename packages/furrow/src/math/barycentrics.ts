@@ -1,7 +1,8 @@
 /**
- * Computes the barycentric coordinates of a point in the plane. Outside the triangle at least one is negative. If the triangle has no area,
- * they are infinite or NaN.
+ * Computes the barycentric coordinates of a point in 2D. If the point is outside the triangle, at least one coordinate is negative. If the
+ * triangle has no area, the coordinates are infinite or NaN.
  *
+ * @param out receives three coordinates.
  * @param triangle x and y of the three corners.
  */
 export function barycentrics2(out: Float64Array, triangle: ArrayLike<number>, x: number, y: number): void {
@@ -18,12 +19,12 @@ export function barycentrics2(out: Float64Array, triangle: ArrayLike<number>, x:
 }
 
 /**
- * Projects a point onto the plane of a triangle and computes its barycentric coordinates (Ericson, Real-Time Collision Detection, 3.4). If
- * the triangle has no area, they are infinite or NaN.
+ * Projects a point onto the plane of a triangle, and computes its barycentric coordinates (Ericson, Real-Time Collision Detection, 3.4). If
+ * the triangle has no area, the coordinates are infinite or NaN.
  *
  * @param positions packed xyz per vertex.
  * @param a, b, c vertex indices of the triangle.
- * @param point x, y and z.
+ * @param point x, y and z of the point.
  */
 export function barycentrics3(
   out: Float64Array,
@@ -55,12 +56,12 @@ export function barycentrics3(
 }
 
 /**
- * Interpolates vertex attributes over a triangle. Interpolated vectors are not normalised.
+ * Interpolates a vertex attribute at a point of a triangle. Interpolated vectors are not normalised.
  *
- * @param out receives the interpolated attribute; its length is the number of components.
+ * @param out receives the interpolated attribute. The length of `out` is the number of components.
  * @param values `stride` numbers per vertex.
  * @param a, b, c vertex indices of the triangle.
- * @param wa, wb, wc barycentric coordinates.
+ * @param wa, wb, wc barycentric coordinates of the point.
  */
 export function interpolate(
   out: Float64Array,

@@ -1,4 +1,4 @@
-/** Evaluates a cubic Bezier curve in the plane at `t`, 0..1, in Bernstein form. */
+/** Evaluates a 2D cubic Bezier curve at `t`, 0..1, in Bernstein form. */
 export function bezierAt(
   a: readonly [number, number],
   b: readonly [number, number],

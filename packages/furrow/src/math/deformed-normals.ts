@@ -1,7 +1,7 @@
 import { triangleNormal } from './triangle.ts'
 import { weldVertices } from './weld.ts'
 
-/** Mesh in its rest pose. The arrays are copied. */
+/** Mesh in its rest pose. */
 export interface RestMesh {
   /** Packed xyz per vertex. */
   positions: ArrayLike<number>
@@ -14,16 +14,18 @@ export interface RestMesh {
 /** Squared length below which a sum of normals has no meaningful direction. */
 export const NO_DIRECTION = 1e-24
 
-/** Cosine of a rotation angle close to 180 degrees. Below it, the shortest arc is not unique. */
+/** Cosine of an angle close to 180 degrees. Vectors with a smaller cosine are opposite, so the shortest arc between them is not unique. */
 export const HALF_TURN = -0.9999
 
-/** Scratch vector: updates allocate nothing. */
+/** Scratch vector, reused so that updates allocate nothing. */
 const normal = new Float64Array(3)
 
 /**
- * Sums the normals of the triangles around each welded point. The weight of a normal is twice the triangle's area.
+ * Sums the normals of the triangles around each welded point, i.e. around all vertices at one position. Each unit normal is weighted by twice the
+ * area of its triangle.
  *
- * @param sums receives packed xyz per point.
+ * @param sums receives one vector per welded point, packed xyz.
+ * @param positions packed xyz per vertex.
  * @param pointOf index of the welded point of each vertex, from `weldVertices`.
  */
 export function sumNormals(
@@ -44,7 +46,7 @@ export function sumNormals(
   }
 }
 
-/** Returns a function that computes a morph target's normal deltas from its position deltas. Both are packed xyz per vertex. */
+/** Returns a function that converts position deltas of a morph target to normal deltas. Deltas are packed xyz per vertex. */
 export function morphNormalDeltas(mesh: RestMesh): (offsets: ArrayLike<number>) => Float32Array {
   const positions = Float32Array.from(mesh.positions)
   const normals = Float32Array.from(mesh.normals)
@@ -60,17 +62,19 @@ export function morphNormalDeltas(mesh: RestMesh): (offsets: ArrayLike<number>) 
 }
 
 /**
- * Computes the shading normals of a deforming mesh. For each group of vertices with one rest position, the area-weighted sum of the adjacent
- * triangle normals gives a direction, at rest and now. The shortest arc between both directions rotates the authored normals of the group,
- * so that lighting stays continuous at seams. Updates allocate nothing.
+ * Computes the shading normals of a deforming mesh by rotating its authored normals. Vertices with the same rest position form a welded point.
+ * The direction of a point is the area-weighted sum of the normals of its triangles. All authored normals at a point are rotated by the same arc:
+ * the shortest one from the point's direction in the rest pose to its direction in the current pose. Lighting therefore stays continuous at
+ * seams. Updates allocate nothing.
  */
 export class DeformedNormals {
   readonly #rest: Float32Array
   readonly #triangles: Uint32Array
-  /** Index of the welded point of each vertex. */
+  /** For each vertex, the index of its welded point. */
   readonly #pointOf: Uint32Array
-  /** Directions of all welded points, packed xyz: in the rest pose, and in the current pose. */
+  /** Directions of all welded points in the rest pose, packed xyz. */
   readonly #from: Float64Array
+  /** Directions of all welded points in the current pose, packed xyz. */
   readonly #to: Float64Array
 
   constructor({ positions, normals, triangles }: RestMesh) {
@@ -84,10 +88,10 @@ export class DeformedNormals {
   }
 
   /**
-   * Computes the normals of the deformed mesh. A vertex keeps its authored normal if its direction is undefined at rest or now.
+   * Computes the normals of the mesh in its current pose. Vertices keep their authored normal if the direction of their point is undefined.
    *
-   * @param positions current positions of all vertices.
-   * @param normals receives the unit normals.
+   * @param positions current positions, packed xyz per vertex.
+   * @param normals receives the unit normals, packed xyz per vertex.
    */
   update(positions: ArrayLike<number>, normals: Float32Array): void {
     sumNormals(this.#to, positions, this.#triangles, this.#pointOf)
@@ -96,17 +100,17 @@ export class DeformedNormals {
   }
 
   /**
-   * Rotates other vertex vectors, such as tangents, in place. Each is rotated like its vertex's normal in the last `update`.
+   * Rotates other vectors of the vertices, such as tangents, in place. Applies the rotations that the last `update` applied to the normals.
    *
-   * @param directions one vector per vertex; xyz are the first of every `stride` numbers.
+   * @param directions one vector per vertex: the first three of every `stride` numbers.
    */
   rotate(directions: Float32Array, stride: number): void {
     for (let i = 0; i < this.#pointOf.length; i++) this.#rotate(directions, stride * i, 3 * this.#pointOf[i])
   }
 
   /**
-   * Rotates a vector d by the shortest arc from the rest direction to the current one, with Rodrigues' formula:
-   * `c * d + cross(a, d) + a * dot(a, d) / (1 + c)`, where `a = cross(from, to)` and `c = dot(from, to)`.
+   * Rotates a vector `d` by the shortest arc between two unit directions of a welded point: `from` in the rest pose, and `to` in the current
+   * pose. Rodrigues' formula is `c * d + cross(a, d) + a * dot(a, d) / (1 + c)`, where `a = cross(from, to)` and `c = dot(from, to)`.
    */
   #rotate(vectors: Float32Array, offset: number, point: number): void {
     const from = this.#from

@@ -1,7 +1,7 @@
 /**
- * Elementary functions with bit-identical results in every JavaScript engine, so that automatic wrinkles are reproducible. The ECMAScript
- * standard fixes the rounding only of `+ - * /` and `Math.sqrt`; `Math.sin` and others differ between engines. The polynomials are those
- * of fdlibm (Sun Microsystems, 1993), with an error below one unit in the last place.
+ * Elementary functions that return exactly the same numbers in every JavaScript engine, so that automatic wrinkles are reproducible. The
+ * ECMAScript standard specifies the rounding only of `+ - * /` and `Math.sqrt`. Functions such as `Math.sin` return different numbers in
+ * different engines. The polynomials are from fdlibm (Sun Microsystems, 1993). Errors are below one unit in the last place.
  */
 
 const PI_LOW = 1.2246467991473532e-16
@@ -11,7 +11,7 @@ const LN2_LOW = 1.9082149292705877e-10
 
 const double = new Float64Array(1)
 const words = new Int32Array(double.buffer)
-/** Index of the 32-bit word that holds the exponent of a float64: 1 on little-endian machines. */
+/** Index of the 32-bit word that contains the exponent of a float64. It is 1 on little-endian machines. */
 const HIGH = new Int32Array(new Float64Array([1]).buffer)[1] === 0 ? 0 : 1
 
 export function exp(x: number): number {
@@ -22,7 +22,7 @@ export function exp(x: number): number {
   const low = k * LN2_LOW
   const r = high - low
   const t = r * r
-  // Unrolled, because maps of wrinkle lines call this for every texel.
+  // No loop over the coefficients, for speed: every texel of a bake calls this function.
   const c =
     r -
     t *
@@ -31,7 +31,7 @@ export function exp(x: number): number {
           (-0.0027777777777015593 +
             t * (0.00006613756321437934 + t * (-0.0000016533902205465252 + t * 4.1381367970572385e-8))))
   const y = 1 - (low - (r * c) / (2 - c) - high)
-  // Scales in two steps, because 2^k is not a normal number at the ends of the range.
+  // The result is scaled by 2^k in two steps, because 2^k alone may overflow or be subnormal.
   const half = k >> 1
   return y * powerOfTwo(half) * powerOfTwo(k - half)
 }
@@ -54,7 +54,7 @@ export function log(x: number): number {
   if (x < 2.3e-308) return log(x * 2 ** 54) - 54 * Math.LN2
   double[0] = x
   const mantissa = words[HIGH] & 0xfffff
-  // Scales the mantissa to between `sqrt(1 / 2)` and `sqrt(2)`.
+  // Scale the mantissa to a number between `sqrt(1 / 2)` and `sqrt(2)`.
   const above = (mantissa + 0x95f64) & 0x100000
   const k = (words[HIGH] >> 20) - 1023 + (above >> 20)
   words[HIGH] = mantissa | (above ^ 0x3ff00000)
@@ -78,20 +78,20 @@ const COS = [
   0.0416666666666666, -0.001388888888887411, 0.00002480158728947673, -2.7557314351390663e-7,
   2.087572321298175e-9, -1.1359647557788195e-11,
 ]
-/** Pi / 2 as a sum of three parts. The first two have few bits, so that their products with small integers are exact. */
+/** `PI / 2` as a sum of three numbers. The first two have few significant bits, so that their products with small integers are exact. */
 const HALF_PI = [1.5707963267341256, 6.077100506303966e-11, 2.0222662487959506e-21]
 
-/** Computes the sine of an angle in radians, at most 100,000. */
+/** Computes the sine of `x` radians. The absolute value of `x` must be at most 100,000. */
 export function sin(x: number): number {
   return sinOfQuarter(x, 0)
 }
 
-/** Computes the cosine of an angle in radians, at most 100,000. */
+/** Computes the cosine of `x` radians. The absolute value of `x` must be at most 100,000. */
 export function cos(x: number): number {
   return sinOfQuarter(x, 1)
 }
 
-/** Computes the sine of `x` plus `turns` quarter turns. */
+/** Computes the sine of `x + turns * PI / 2`. */
 function sinOfQuarter(x: number, turns: number): number {
   const n = Math.round(x / (Math.PI / 2))
   const first = x - n * HALF_PI[0]
@@ -117,11 +117,11 @@ const ATAN = [
   -0.0769187620504483, 0.06661073137387531, -0.058335701337905735, 0.049768779946159324,
   -0.036531572744216916, 0.016285820115365782,
 ]
-/** Arc tangents of 0.5, 1, 1.5 and infinity, and the rounding error of each. */
+/** Arc tangents of 0.5, 1, 1.5 and infinity. `ATAN_REST` contains their rounding errors. */
 const ATAN_AT = [0.4636476090008061, Math.PI / 4, 0.982793723247329, Math.PI / 2]
 const ATAN_REST = [2.2698777452961687e-17, PI_LOW / 4, 1.3903311031230998e-17, PI_LOW / 2]
 
-/** Computes the arc tangent of a number of at least 0. */
+/** Computes the arc tangent of a nonnegative number. */
 function atan(x: number): number {
   if (x < 0.4375) return x - x * (x * x * polynomial(x * x, ATAN))
   const i = x < 0.6875 ? 0 : x < 1.1875 ? 1 : x < 2.4375 ? 2 : 3
@@ -136,7 +136,7 @@ function atan(x: number): number {
   return ATAN_AT[i] - (t * (t * t * polynomial(t * t, ATAN)) - ATAN_REST[i] - t)
 }
 
-/** Computes the angle of a point from the x axis, in radians. Returns 0 at the origin. */
+/** Computes the angle between the x axis and the vector (x, y), in radians. Returns 0 for the zero vector. */
 export function atan2(y: number, x: number): number {
   if (y === 0) return x < 0 ? Math.PI : 0
   const angle = x === 0 ? Math.PI / 2 : atan(Math.abs(y / x))

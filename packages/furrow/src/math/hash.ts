@@ -1,4 +1,4 @@
-/** Mixes the bits of a number: the 32-bit finaliser of MurmurHash3 (A. Appleby 2011, public domain). Returns an integer from 0 to 2^32 - 1. */
+/** Hashes an integer by the 32-bit finaliser of MurmurHash3 (A. Appleby 2011, public domain). Returns an integer, 0..2^32 - 1. */
 export function hash32(x: number): number {
   let h = x | 0
   h = Math.imul(h ^ (h >>> 16), 0x85ebca6b)

@@ -1,13 +1,13 @@
 /** Maximum number of points in a leaf. */
 const LEAF = 8
 
-/** k-d tree that finds the points nearest to a position, in 2D or 3D (Bentley 1975). */
+/** k-d tree that finds the points nearest to a position in 2D or 3D (Bentley 1975). */
 export class KdTree {
   readonly #points: ArrayLike<number>
   readonly #dimensions: number
-  /** Point indices in the order of the leaves. A node is a range of this array, split at its middle. */
+  /** Indices of all points. A node of the tree is a range of this array. Its two children are the halves of the range. */
   readonly #order: Uint32Array
-  /** Coordinate at which each node is split, stored at the middle of its range. */
+  /** Coordinate at which each node is split, stored at the middle index of the node's range. */
   readonly #splits: Float64Array
   readonly #found: Int32Array
   readonly #squares: Float64Array
@@ -16,7 +16,7 @@ export class KdTree {
   #reach = Infinity
 
   /**
-   * @param points packed coordinates. Not copied.
+   * @param points packed coordinates. The array is not copied.
    * @param dimensions number of coordinates per point, 2 or 3.
    * @param most maximum number of points that a query finds.
    */
@@ -31,11 +31,12 @@ export class KdTree {
   }
 
   /**
-   * Finds the nearest points, sorted by distance. The next query overwrites the results.
+   * Finds the nearest points, sorted by distance. The returned arrays are overwritten by the next query.
    *
    * @param query array with the coordinates of the query position.
    * @param offset index of the first coordinate in `query`.
-   * @param limit search radius.
+   * @param limit maximum distance.
+   * @returns number of found points, their indices, and their squared distances.
    */
   nearest(
     query: ArrayLike<number>,
@@ -49,13 +50,13 @@ export class KdTree {
     return { count: this.#count, indices: this.#found, squares: this.#squares }
   }
 
-  /** Visits all points within a distance, in no particular order. */
+  /** Calls `visit` for all points within the distance `limit`, in any order. */
   within(query: ArrayLike<number>, offset: number, limit: number, visit: (index: number) => void): void {
     this.#reach = limit * limit
     this.#walk(query, offset, 0, this.#order.length, 0, visit)
   }
 
-  /** Visits the points within the search radius. Descends first into the half that contains the query position. */
+  /** Visits the points of a node that lie within the search radius. Starts with the child that contains the query position. */
   #walk(
     query: ArrayLike<number>,
     offset: number,
@@ -84,7 +85,7 @@ export class KdTree {
     else this.#walk(query, offset, from, middle, next, visit)
   }
 
-  /** Inserts a point into the results. Once they are full, the farthest result limits the search radius. */
+  /** Inserts a point into the results. Once the results are full, the farthest result limits the search radius. */
   readonly #offer = (index: number, square: number): void => {
     const last = this.#squares.length - 1
     if (!(square < this.#squares[last])) return
@@ -99,7 +100,7 @@ export class KdTree {
     this.#reach = Math.min(this.#reach, this.#squares[last])
   }
 
-  /** Partitions a range at its middle, then both halves recursively (quickselect, Hoare 1961). */
+  /** Sorts a range so that points before its middle have smaller coordinates (quickselect, Hoare 1961). Then sorts both halves. */
   #sort(from: number, to: number, axis: number): void {
     if (to - from <= LEAF) return
     const order = this.#order

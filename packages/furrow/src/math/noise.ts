@@ -1,7 +1,7 @@
 import { hash32 } from './hash.ts'
 import { lerp, smoothstep } from './scalar.ts'
 
-/** Computes one-dimensional value noise, -1..1: random values at integers, interpolated by smoothstep. */
+/** Computes one-dimensional value noise, -1..1. The noise has random values at integers, interpolated by `smoothstep`. */
 export function noise(x: number, seed: number): number {
   const cell = Math.floor(x)
   return lerp(randomAt(cell, seed), randomAt(cell + 1, seed), smoothstep(x - cell))

@@ -1,7 +1,7 @@
 /**
- * Tests whether a point is inside a polygon, by the even-odd rule: counts the edges that cross a ray to the point's right.
+ * Tests whether a point is inside a polygon by the even-odd rule. Counts how many edges cross the ray from the point to the right.
  *
- * @param polygon corners in order. The polygon is closed: an edge joins the last and the first corner.
+ * @param polygon corners in order. An edge joins the last and the first corner.
  */
 export function isInsidePolygon(
   polygon: readonly (readonly [number, number])[],

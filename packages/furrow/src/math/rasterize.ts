@@ -1,18 +1,18 @@
-/** Inclusive box of pixels: all four values are columns or rows inside the box. */
+/** Box of pixels. The columns `left` and `right` and the rows `top` and `bottom` are inside the box. */
 export type PixelBox = readonly [left: number, top: number, right: number, bottom: number]
 
 const UNBOUNDED: PixelBox = [-Infinity, -Infinity, Infinity, Infinity]
 
-/** Triangles with less than half this area, in square pixels, cover no pixel. */
+/** A triangle covers no pixel if twice its area, in square pixels, is below this number. */
 const NO_AREA = 1e-9
 
 /**
- * Visits the pixels whose centres a triangle covers, row by row. A centre on an edge belongs to the triangles on both sides.
+ * Visits the pixels whose centres a triangle covers, row by row. If a centre lies on an edge, both triangles at the edge cover it.
  *
  * @param triangle x and y of the three corners in pixels. Pixel centres are at integers.
- * @param tolerance distance by which barycentric coordinates may be below 0.
- * @param visit receives the pixel and its barycentric coordinates.
- * @param box clips the triangle to these pixels.
+ * @param tolerance amount by which barycentric coordinates may be below 0.
+ * @param visit receives the column and row of a pixel, and the barycentric coordinates of its centre.
+ * @param box limits the visited pixels.
  */
 export function rasterize(
   triangle: ArrayLike<number>,
@@ -38,7 +38,7 @@ export function rasterize(
   const lastColumn = Math.min(Math.floor(Math.max(x0, x1, x2)), right)
   for (let row = firstRow; row <= lastRow; row++) {
     for (let column = firstColumn; column <= lastColumn; column++) {
-      // Inlined from `barycentrics2`: a call takes three times as long here.
+      // Formulas of `barycentrics2`, written inline because a call of that function takes three times as long.
       const b = ((column - x0) * vy - (row - y0) * vx) / det
       if (!(b >= -tolerance)) continue
       const c = (ux * (row - y0) - uy * (column - x0)) / det

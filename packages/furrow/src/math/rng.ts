@@ -1,12 +1,17 @@
-/** Pseudo-random number generator. The same seed and stream give the same numbers on every machine. */
+/** Pseudo-random number generator. For the same seed and stream, it returns the same numbers on every machine. */
 export class Rng {
   #state: number
 
-  /** @param stream name of an independent sequence. Drawing from one stream does not change the numbers of another. */
+  /** @param stream name of a sequence. Each stream has a different sequence of numbers for the same seed. */
   constructor(seed: number, stream = '') {
     this.#state = seed | 0
     for (const character of stream)
       this.#state = Math.imul(this.#state ^ (character.codePointAt(0) ?? 0), 0x01000193)
+  }
+
+  /** Returns a generator that continues with the same numbers. */
+  copy(): Rng {
+    return new Rng(this.#state)
   }
 
   /** Returns a number from 0 to 1, excluding 1 (mulberry32, T. Ettinger 2017, public domain). */
@@ -25,5 +30,10 @@ export class Rng {
   /** Returns a uniformly distributed number between `-amplitude` and `amplitude`. */
   jitter(amplitude: number): number {
     return this.uniform(-amplitude, amplitude)
+  }
+
+  /** Returns an integer, 0..2^31 - 1, for example a seed. */
+  integer(): number {
+    return Math.floor(2 ** 31 * this.next())
   }
 }

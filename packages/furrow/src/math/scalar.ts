@@ -2,12 +2,19 @@ export function clamp(x: number, low: number, high: number): number {
   return Math.min(Math.max(x, low), high)
 }
 
-/** Interpolates linearly: returns `a` at t = 0 and `b` at t = 1. */
+/** Returns the smallest power of two that is at least `x`; 1 if `x` is less than 1. */
+export function powerOfTwoFrom(x: number): number {
+  let power = 1
+  while (power < x) power *= 2
+  return power
+}
+
+/** Interpolates linearly between `a` (at `t = 0`) and `b` (at `t = 1`). */
 export function lerp(a: number, b: number, t: number): number {
   return a + t * (b - a)
 }
 
-/** Clamps x to 0..1, then returns `3 * x^2 - 2 * x^3`. */
+/** Clamps `x` to 0..1, and returns `3 * x^2 - 2 * x^3`. */
 export function smoothstep(x: number): number {
   const t = clamp(x, 0, 1)
   return t * t * (3 - 2 * t)

@@ -1,14 +1,17 @@
 import { lerp } from './scalar.ts'
 import { length3 } from './vector.ts'
 
-/** Factor for distances, slightly below 1, to allow for rounding. */
+/**
+ * Factor slightly below 1. A search multiplies distances by this factor before it skips segments, so that rounding errors never skip the nearest
+ * segment.
+ */
 const ROUNDED = 1 - 1e-6
 
 /**
- * Evaluates a segment of a centripetal Catmull-Rom spline at `t`, 0..1, with the pyramidal algorithm of Barry and Goldman (1988). Beyond each
- * end of the spline, the second point is mirrored at the end point.
+ * Evaluates a segment of a centripetal Catmull-Rom spline at `t`, 0..1, with the pyramidal algorithm of Barry and Goldman (1988). The first
+ * and last segments need a point beyond the end of the spline. This point is the neighbour of the end point, mirrored at the end point.
  *
- * @param points packed xyz of at least two points; consecutive points must differ.
+ * @param points packed xyz of at least two points. Consecutive points must differ.
  * @param segment index of the segment's first point.
  */
 export function splineAt(out: Float64Array, points: ArrayLike<number>, segment: number, t: number): void {
@@ -30,7 +33,7 @@ export function splineAt(out: Float64Array, points: ArrayLike<number>, segment: 
   }
 }
 
-/** Returns coordinate `k` of point `i`. Indices beyond the ends give mirrored points. */
+/** Returns coordinate `k` of point `i`. Point -1 is point 1 mirrored at point 0. The point after the last one is mirrored in the same way. */
 function pointAt(points: ArrayLike<number>, i: number, k: number): number {
   const last = points.length / 3 - 1
   if (i < 0) return 2 * points[k] - points[3 + k]
@@ -39,8 +42,8 @@ function pointAt(points: ArrayLike<number>, i: number, k: number): number {
 }
 
 /**
- * Returns the knot interval between a point and the next: the square root of their distance. This centripetal parametrisation has no cusps or
- * loops within a segment (Yuksel et al. 2011).
+ * Returns the knot interval between point `i` and the next point. In the centripetal parametrisation, this interval is the square root of the
+ * distance between the two points. The spline then has no cusps or loops within a segment (Yuksel et al. 2011).
  */
 function knotAt(points: ArrayLike<number>, i: number): number {
   const x = pointAt(points, i + 1, 0) - pointAt(points, i, 0)
@@ -50,10 +53,11 @@ function knotAt(points: ArrayLike<number>, i: number): number {
 }
 
 /**
- * Chooses few points of a polyline, such that the spline through them passes within a distance of all points of the polyline.
+ * Chooses a few points of a polyline, such that the spline through the chosen points is close to the polyline.
  *
- * @param points packed xyz of at least two points; consecutive points must differ.
- * @param chosen indices of points that must be chosen, in ascending order, including the first and the last point.
+ * @param points packed xyz of at least two points. Consecutive points must differ.
+ * @param tolerance maximum distance of the spline from the polyline.
+ * @param chosen indices of points that must be chosen, in ascending order. They include the first and the last point.
  * @returns indices of the chosen points, in ascending order.
  */
 export function splineKnots(
@@ -83,10 +87,10 @@ export function splineKnots(
 }
 
 /**
- * Computes the distance from a position to a part of a polyline. Searches from one segment outwards, and stops as soon as the distance is
- * known to be at most `enough`.
+ * Computes the distance from a position to a part of a polyline. The search goes from one segment to its neighbours on both sides. It stops
+ * once the distance is known to be at most `enough`.
  *
- * @param longest length of the longest segment. From one segment to the next, the distance changes by at most this length.
+ * @param longest length of the longest segment. The distances to two neighbouring segments differ by at most this length.
  */
 function distanceToLine(
   points: Float64Array,
@@ -111,7 +115,7 @@ function distanceToLine(
   return nearest
 }
 
-/** Computes the distance from a position to the segment that starts at a point of a polyline. */
+/** Computes the distance from a position to the segment between point `point` of a polyline and the next point. */
 function distanceToSegment(points: Float64Array, point: number, position: Float64Array): number {
   let along = 0
   let square = 0

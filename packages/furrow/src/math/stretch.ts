@@ -1,13 +1,13 @@
-/** Scratch: dot products of the first edge u and the second edge v of a triangle, in the order u.u, u.v, v.v. */
+/** Scratch array with dot products of two edges u and v of a triangle: `dot(u, u)`, `dot(u, v)` and `dot(v, v)`. */
 const products = new Float64Array(3)
 
 /**
- * Inverts the 2 x 2 matrix whose columns are two edges of a triangle in its rest pose, in coordinates of the triangle's plane. The result is an
- * input of `principalStretches`.
+ * Inverts the 2 x 2 matrix of a triangle in its rest pose. The columns of the matrix are two edges, in 2D coordinates of the triangle's plane.
+ * `principalStretches` needs the inverse.
  *
  * @param a, b, c vertex indices of the triangle.
  * @param positions packed xyz per vertex, in the rest pose.
- * @returns xx, xy and yy of the upper triangular inverse; undefined if the triangle has no area.
+ * @returns elements xx, xy and yy of the inverse; the fourth element is 0. Undefined if the triangle has no area.
  */
 export function restInverse(
   a: number,
@@ -17,7 +17,7 @@ export function restInverse(
 ): number[] | undefined {
   multiplyEdges(a, b, c, positions)
   const [uu, uv, vv] = products
-  // In the triangle's plane, the first edge is (along, 0) and the second is (across, height).
+  // In 2D coordinates of the triangle's plane, the first edge is (along, 0) and the second edge is (across, height).
   const along = Math.sqrt(uu)
   const across = uv / along
   const height = Math.sqrt(Math.max(0, vv - across * across))
@@ -25,23 +25,24 @@ export function restInverse(
   return inverse.every(Number.isFinite) ? inverse : undefined
 }
 
-/** Mesh in its rest pose, and the direction along which to measure stretch. */
+/** Mesh in its rest pose, and optionally a direction along which stretch is measured. */
 export interface AtRest {
   /** Packed xyz per vertex. */
   positions: ArrayLike<number>
-  /** Packed uv per vertex; only read if there is a direction. */
+  /** Packed uv per vertex. Only needed with `direction`. */
   uvs: ArrayLike<number>
-  /** Direction in texture coordinates, of any nonzero length. Default: the principal directions of stretch. */
+  /** Vector in texture coordinates, of any length except 0. Without it, stretch is measured along the principal directions. */
   direction?: readonly [number, number] | undefined
 }
 
 /**
- * Returns the matrix that `principalStretches` needs. Without a direction, this is the result of `restInverse`. With a direction, the matrix
- * makes `principalStretches` return the stretch along this direction twice.
+ * Returns the numbers that `principalStretches` needs for a triangle. Without a direction, they are the result of `restInverse`. With a
+ * direction, both results of `principalStretches` will be the stretch along this direction.
  *
  * @param a, b, c vertex indices of the triangle.
- * @returns with a direction: 0, and the factors of the triangle's two edges whose sum is a unit vector in that direction. Undefined if the
- *   triangle has no area, or if there is a direction and the triangle has no area in the texture.
+ * @returns three numbers. With a direction, these are 0, a factor for the edge from `a` to `b`, and a factor for the edge from `a` to `c`. The
+ *   edges times their factors add up to a unit vector in the direction. Undefined if the triangle has no area. With a direction, the triangle
+ *   must also have an area in the texture.
  */
 export function restMatrix(
   a: number,
@@ -64,10 +65,10 @@ export function restMatrix(
 }
 
 /**
- * Computes the principal stretches of a triangle in its plane: the square roots of the eigenvalues of the right Cauchy-Green tensor (Bonet,
- * Wood: Nonlinear Continuum Mechanics, 3.6). Both are 1 after a rigid motion.
+ * Computes the two principal stretches of a triangle in its plane. A stretch is the current length divided by the length at rest. Principal
+ * stretches are the square roots of the eigenvalues of the right Cauchy-Green tensor (Bonet, Wood: Nonlinear Continuum Mechanics, 3.6).
  *
- * @param out receives the smaller stretch, then the larger.
+ * @param out receives the smaller and then the larger stretch.
  * @param inverses results of `restInverse` or `restMatrix`, three numbers per triangle.
  * @param offset index of the triangle's first number in `inverses`.
  * @param a, b, c vertex indices of the triangle.
@@ -95,7 +96,7 @@ export function principalStretches(
   const mean = (c00 + c11) / 2
   const spread = Math.sqrt(((c00 - c11) / 2) ** 2 + c01 * c01)
   out[1] = Math.sqrt(mean + spread)
-  // `xx` is 0 only in the matrix of a direction, see `restMatrix`.
+  // `xx` is 0 only if `restMatrix` was called with a direction.
   out[0] = xx === 0 ? out[1] : Math.sqrt(Math.max(0, mean - spread))
 }
 

@@ -1,5 +1,5 @@
 /**
- * Computes the normal of a triangle as the cross product of its edges. Its length is twice the triangle's area.
+ * Computes the normal of a triangle as the cross product of two edges. The length of the normal is twice the area of the triangle.
  *
  * @param positions packed xyz per vertex.
  * @param a, b, c vertex indices of the triangle, counterclockwise as seen from outside.
@@ -23,7 +23,7 @@ export function triangleNormal(
 }
 
 /**
- * Computes the area of a triangle in texture coordinates; the full texture has an area of 1.
+ * Computes the area of a triangle in texture coordinates. The full texture has an area of 1.
  *
  * @param uvs packed uv per vertex.
  * @param a, b, c vertex indices of the triangle.

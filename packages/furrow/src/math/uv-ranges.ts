@@ -1,9 +1,13 @@
 type Range = [least: number, largest: number]
 
-/** Smallest and largest u and v of a mesh. */
+/** Smallest and largest texture coordinates u and v of a mesh. */
 export type UvRanges = readonly [u: Range, v: Range]
 
-/** @param read returns u (axis 0) or v (axis 1) of a vertex. */
+/**
+ * Computes the ranges of the texture coordinates of a mesh.
+ *
+ * @param read returns u (axis 0) or v (axis 1) of a vertex.
+ */
 export function uvRanges(vertices: number, read: (vertex: number, axis: number) => number): UvRanges {
   const rangeOf = (axis: number) => {
     const range: Range = [Infinity, -Infinity]
@@ -18,9 +22,10 @@ export function uvRanges(vertices: number, read: (vertex: number, axis: number) 
 }
 
 /**
- * Tests whether the transformed texture coordinates of a mesh may leave 0..1. Neighbouring pixels can then sample opposite edges of a map.
- * Tests the corners of the range, so a rotation can give true although no vertex leaves 0..1. The map is sampled at
- * `(a * u + b * v + c, d * u + e * v + f)`.
+ * Whether texture coordinates of a mesh may be outside 0..1 after a transform. Neighbouring pixels can then sample opposite edges of a map.
+ * Only the corners of the ranges are tested. If the transform rotates, the result may be true although no vertex is outside 0..1.
+ *
+ * @param a, b, c, d, e, f coefficients of the transform: the map is sampled at `(a * u + b * v + c, d * u + e * v + f)`.
  */
 export function isTiledBy(
   ranges: UvRanges,
@@ -31,7 +36,7 @@ export function isTiledBy(
   e: number,
   f: number,
 ): boolean {
-  // Allocates nothing, because Babylon.js calls this every frame.
+  // This loop allocates nothing, because the Babylon.js renderer calls the function in every frame.
   for (let corner = 0; corner < 4; corner++) {
     const u = ranges[0][corner & 1]
     const v = ranges[1][corner >> 1]

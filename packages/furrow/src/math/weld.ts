@@ -1,16 +1,18 @@
+import { powerOfTwoFrom } from './scalar.ts'
+
 /**
- * Welds vertices: all vertices with the same position become one point.
+ * Welds vertices: all vertices with the same position form one point.
  *
  * @param positions packed xyz per vertex, in the rest pose.
- * @returns the index of each vertex's point, and the number of points.
+ * @returns `pointOf` contains the index of the point of each vertex, and `count` is the number of points.
  */
 export function weldVertices(positions: ArrayLike<number>): { pointOf: Uint32Array; count: number } {
   const vertices = Math.floor(positions.length / 3)
   const pointOf = new Uint32Array(vertices)
   /** First vertex of each point. */
   const firstOf = new Uint32Array(vertices)
-  /** Hash table of points with linear probing. Slots hold the point's index plus 1, or 0 if they are free. */
-  const slots = new Uint32Array(2 ** Math.ceil(Math.log2(2 * vertices + 2)))
+  /** Hash table of points, with linear probing. A slot stores 1 plus the index of a point, or 0 if it is free. */
+  const slots = new Uint32Array(powerOfTwoFrom(2 * vertices + 2))
   const mask = slots.length - 1
   let count = 0
   for (let i = 0; i < vertices; i++) {
@@ -27,7 +29,7 @@ export function weldVertices(positions: ArrayLike<number>): { pointOf: Uint32Arr
 
 function isSame(positions: ArrayLike<number>, i: number, j: number): boolean {
   for (let k = 0; k < 3; k++) {
-    // NaN equals NaN, and -0 equals 0.
+    // NaN counts as equal to NaN, and -0 as equal to 0.
     if (!Object.is(positions[3 * i + k] + 0, positions[3 * j + k] + 0)) return false
   }
   return true
@@ -36,7 +38,7 @@ function isSame(positions: ArrayLike<number>, i: number, j: number): boolean {
 const number = new Float64Array(1)
 const bits = new Uint32Array(number.buffer)
 
-/** Hashes a position: FNV-1a over 32-bit words, then the finaliser of MurmurHash3. */
+/** Hashes a position by FNV-1a over 32-bit words, followed by the finaliser of MurmurHash3. */
 function hash(positions: ArrayLike<number>, vertex: number): number {
   let h = 0x811c9dc5
   for (let k = 3 * vertex; k < 3 * vertex + 3; k++) {

@@ -6,21 +6,21 @@ type Numbers = Readonly<Record<string, number>>
 
 const NONE: Numbers = {}
 
-/** Applies the properties of a React component to one face. Remembers the face's original state, to restore it later. */
+/** Applies the properties of a React component to one face. When a property is removed, the face gets its original value back. */
 export class DeclaredFace {
   readonly #face: WrinklesBase
   readonly #original: { mode: WrinkleMode; relief: ReliefMode; inputs: Map<string, number> }
   readonly #warn: (error: unknown) => void
   #state: WrinkleState = {}
 
-  /** @param warn called with the error of each property that cannot be applied. The other properties are still applied. */
+  /** @param warn receives the error of each property that cannot be applied. Other properties are still applied. */
   constructor(face: WrinklesBase, warn: (error: unknown) => void) {
     this.#face = face
     this.#warn = warn
     this.#original = { mode: face.mode, relief: face.relief, inputs: new Map() }
   }
 
-  /** Applies the properties that differ from the last state. Removed properties get their original values. */
+  /** Applies all properties that differ from the last call. */
   apply(state: WrinkleState): void {
     const [face, original, last] = [this.#face, this.#original, this.#state]
     if (face.isDisposed || state === last) return
@@ -41,7 +41,7 @@ export class DeclaredFace {
     })
   }
 
-  /** Calls `set` for each name whose value changed. The value is undefined if the name was removed. */
+  /** Calls `set` for each name whose value has changed. The value is undefined if the name was removed. */
   #applyNumbers(
     last: Numbers = NONE,
     next: Numbers = NONE,

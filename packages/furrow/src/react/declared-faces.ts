@@ -5,19 +5,19 @@ import type { WrinklesBase } from '../three/wrinkles-base.ts'
 import { DeclaredFace } from './declared-face.ts'
 import type { WrinkleState } from './wrinkle-state.ts'
 
-/** Applies the properties of a React component to faces. The set of faces may change between frames. */
+/** Applies the properties of a React component to all faces of an object. Faces may be added and removed between frames. */
 export class DeclaredFaces {
   readonly #known = new Map<WrinklesBase, DeclaredFace>()
   readonly #warned = new Set<string>()
   #player: ExpressionPlayer | null = null
-  /** Whether the faces have changed since the player was created. If so, the player must be recreated. */
+  /** Whether faces were added or removed since the player was created. If so, a new player must be created. */
   #isStale = true
   #playing: ExpressionChoice | undefined
 
   /**
-   * Applies a state to faces and advances their expression by one frame.
+   * Applies a state to faces, and advances the transition to their expression by one frame.
    *
-   * @param root root of the meshes whose blendshapes the expression moves.
+   * @param root root object of the meshes whose blendshapes the expression moves.
    * @param faces current faces.
    * @param seconds time since the last frame.
    * @returns whether an expression is still playing, so that another frame is needed.
@@ -74,7 +74,7 @@ export class DeclaredFaces {
   }
 }
 
-/** Compares the names and weights of two expressions. Identity is not enough, because JSX creates a new object on each render. */
+/** Compares the names and weights of two expressions. Comparing objects by `===` is not enough, because JSX creates new objects. */
 function isSame(a: ExpressionChoice | undefined, b: ExpressionChoice | undefined): boolean {
   if (a === b || typeof a !== 'object' || typeof b !== 'object') return a === b
   const names = Object.keys(a)

@@ -13,9 +13,10 @@ export interface FaceSource {
 
 /**
  * Applies a state to faces before each frame, and restores their original state on unmount. Faces are searched in each frame, because a mesh
- * that a page creates with the material of a loaded face gets wrinkles only from its second frame on.
+ * may get wrinkles later. For example, a page may create a mesh with the material of a loaded face. This mesh has wrinkles after its first
+ * frame.
  *
- * @param find returns the current faces, or null if there are none yet. It is called in each frame.
+ * @param find returns the current faces, or null if there are none yet.
  */
 export function useDeclaration(find: () => FaceSource | null, state: WrinkleState): void {
   const invalidate = useThree((three) => three.invalidate)
@@ -27,7 +28,7 @@ export function useDeclaration(find: () => FaceSource | null, state: WrinkleStat
       declared.current = null
     }
   }, [])
-  // A canvas with `frameloop="demand"` draws only when invalidated.
+  // A canvas with `frameloop="demand"` draws a frame only after `invalidate`.
   useLayoutEffect(() => invalidate())
   useFrame((_, seconds) => {
     const source = find()

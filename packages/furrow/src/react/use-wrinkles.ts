@@ -9,10 +9,10 @@ const NO_STATE: WrinkleState = {}
 
 /**
  * Returns the wrinkles of a file, one object per face, and sets their state while the component is mounted. The file must be loaded by
- * `useGLTF` or `useLoader` with `extendLoader`. With the loader's option `auto`, wrinkles are made after loading; the component rerenders
- * when they are ready.
+ * `useGLTF` or `useLoader` with `extendLoader`. If the loader has the option `auto`, wrinkles are generated after loading, and the component
+ * is rendered again when they are ready.
  *
- * @param state properties to set; other properties keep their loaded values. Properties that a face does not support, such as the mode
+ * @param state properties to set. Omitted properties keep their loaded values. Properties that a face does not support, such as the mode
  *   `paper` with two layers, are skipped with one warning.
  * @returns an empty array if the file has no wrinkles.
  */

@@ -16,7 +16,7 @@ export interface WrinkleState {
   relief?: ReliefMode
 }
 
-/** Names of all properties. The type makes sure that none is missing. */
+/** Names of all properties of `WrinkleState`. */
 const NAMES: Record<keyof WrinkleState, true> = {
   activations: true,
   inputs: true,

@@ -17,7 +17,7 @@ export interface WrinklesProps extends WrinkleState {
 /** Class `Wrinkles` of `furrow/three` or of `furrow/webgpu`. */
 export type WrinklesClass = new (mesh: Mesh, set: WrinkleSet<ArraySlice>) => WrinklesBase
 
-/** Creates the component `<Wrinkles>` for the renderer of the given class. */
+/** Creates the component `<Wrinkles>` for one renderer, from the class `Wrinkles` for this renderer. */
 export function wrinklesComponent(Wrinkles: WrinklesClass) {
   return ({ children, set, ...state }: WrinklesProps): ReactNode => {
     const group = useRef<Group>(null)
@@ -30,7 +30,7 @@ export function wrinklesComponent(Wrinkles: WrinklesClass) {
         const wrinkles = new Wrinkles(mesh, set)
         return () => wrinkles.dispose()
       } catch (error) {
-        // An invalid wrinkle set must not break the page: the mesh is drawn without wrinkles.
+        // If the wrinkle set is invalid, the mesh is drawn without wrinkles.
         console.warn((error as Error).message)
       }
     }, [set])

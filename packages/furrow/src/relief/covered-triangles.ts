@@ -4,13 +4,13 @@ import type { CoarseMesh } from './coarse-mesh.ts'
 import type { Mask } from './height-fields.ts'
 import { MAX_LEVEL } from './welded-edges.ts'
 
-/** Returns 1 for each triangle that covers a set texel of a mask, and 0 for the others. */
+/** Returns one number per triangle: 1 if the triangle covers a texel that is 1 in the mask, 0 otherwise. */
 export function coveredTriangles(mesh: CoarseMesh, mask: Mask): Uint8Array {
   const isCovered = coverage(mesh, mask)
   return Uint8Array.from({ length: Math.floor(mesh.triangles.length / 3) }, (_, t) => Number(isCovered(t)))
 }
 
-/** Creates a function that tests whether a triangle covers a set texel of a mask. */
+/** Creates a function that tests whether triangle `t` covers a texel that is 1 in a mask. */
 export function coverage(
   { uvs, triangles }: CoarseMesh,
   { width, height, data }: Mask,
@@ -26,14 +26,14 @@ export function coverage(
     if (!corners.every(Number.isFinite)) return false
     moveIntoTexture(corners, width, height)
     any = 0
-    // A triangle smaller than a texel may cover no texel centre, so its corners are tested too.
+    // A triangle smaller than a texel may cover no texel centre, so the texels of its corners are tested too.
     for (let k = 0; k < 6; k += 2) visit(Math.round(corners[k]), Math.round(corners[k + 1]))
     if (!any) rasterize(corners, 0, visit, box)
     return any > 0
   }
 }
 
-/** Returns `halvings` for `splitMesh`: the maximum for all edges of covered triangles, and 0 for other edges. */
+/** Returns the argument `halvings` of `splitMesh`. Edges of covered triangles get the maximum number of halvings; other edges get 0. */
 export function maxHalvings(covered: Uint8Array): Float32Array {
   return Float32Array.from(
     { length: 3 * covered.length },
@@ -41,7 +41,9 @@ export function maxHalvings(covered: Uint8Array): Float32Array {
   )
 }
 
-/** Moves a triangle by multiples of the texture's size until its centre is inside the texture, because texture coordinates repeat. */
+/**
+ * Moves a triangle into the texture by multiples of the texture's size. It still covers the same texels, because texture coordinates repeat.
+ */
 function moveIntoTexture(corners: Float64Array, width: number, height: number): void {
   for (let axis = 0; axis < 2; axis++) {
     const size = axis === 0 ? width : height

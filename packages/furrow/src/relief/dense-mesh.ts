@@ -1,29 +1,33 @@
 /**
- * A subdivided mesh. Each vertex follows a triangle of the coarse mesh, so it needs no blendshapes or skinning. Vertices at a
- * texture seam have bit-identical `parents`, `weights` and `uvs`; a surface computed from these has no cracks.
+ * A subdivided mesh. Each vertex is interpolated on a triangle of the deformed coarse mesh, so the dense mesh itself needs no blendshapes or
+ * skinning. Where a texture seam duplicates a vertex, the copies have exactly the same `parents`, `weights` and `uvs`. A surface that is
+ * computed from these arrays therefore has no cracks.
  */
 export interface DenseMesh {
   /** Number of vertices. The vertices of the coarse mesh come first. */
   count: number
   /** Three vertex indices per triangle. */
   triangles: Uint32Array
-  /** Triangles of coarser versions of the surface. Each version uses a subset of the vertices. */
+  /** Triangles of each coarser version of the mesh. A version uses only some of the vertices. */
   coarser: Uint32Array[]
-  /** Three coarse vertices per vertex, whose positions are interpolated. Of several coarse vertices at one position, the first is used. */
+  /** For each vertex, the three coarse vertices whose positions are interpolated. At a seam, these are the first vertices at their positions. */
   parents: Uint32Array
-  /** Corners of the coarse triangle, for attributes that differ at seams, such as shading normals and texture coordinates. */
+  /**
+   * For each vertex, the three coarse vertices whose shading normals and texture coordinates are interpolated. At a seam, these may differ
+   * from `parents`, because coarse vertices at the same position have different normals or texture coordinates.
+   */
   corners: Uint32Array
-  /** Barycentric coordinates of the three corners, multiples of a power of two; the sum is 1. */
+  /** Three weights per vertex for the interpolation: barycentric coordinates whose sum is 1. */
   weights: Float32Array
-  /** Two pairs of texture coordinates, one per side of a seam. A vertex is displaced by the mean of the heights sampled at both. */
+  /** Two pairs of texture coordinates per vertex, which differ at a seam. A vertex is displaced by the mean of the heights at both. */
   uvs: Float32Array
   /** Maps each coarse vertex to the first coarse vertex at the same position. */
   firstOf: Uint32Array
-  /** Target edge length in metres, increased to fit the budget. */
+  /** Target edge length in metres. It may be longer than requested, to limit the number of triangles. */
   edge: number
 }
 
-/** Growing typed array. */
+/** Typed array that grows when numbers are added. */
 class Numbers<T extends Float32Array | Uint32Array> {
   #array: T
   #length = 0
@@ -58,14 +62,14 @@ export class DenseBuilder {
 
   /**
    * @param firstOf maps each coarse vertex to the first coarse vertex at the same position.
-   * @param versions number of versions of the surface.
+   * @param versions number of versions of the mesh, including the finest version.
    */
   constructor(firstOf: Uint32Array, versions: number) {
     this.#firstOf = firstOf
     this.#versions = Array.from({ length: versions }, () => new Numbers(new Uint32Array()))
   }
 
-  /** Adds a vertex by its coarse corners, barycentric weights and two pairs of texture coordinates. Returns the vertex index. */
+  /** Adds a vertex with its three corners, three weights and two pairs of texture coordinates. Returns its index. */
   addVertex(
     corners: readonly [number, number, number],
     weights: readonly [number, number, number],

@@ -1,14 +1,17 @@
-/** Reference implementation of relief in float64. Tests compare the shaders of all renderers with it. */
+/**
+ * Reference implementation of relief in float64. Relief moves the surface of a mesh by the height maps of wrinkle layers. Tests compare
+ * the shaders of all renderers with this module.
+ */
 import type { DenseMesh } from './dense-mesh.ts'
 
 /**
- * Shape factor of Phong tessellation, 0..1 (T. Boubekeur, M. Alexa, "Phong Tessellation", 2008). The authors choose 3/4 by eye. 1/2 reproduces
- * quadratic surfaces exactly.
+ * Shape factor of Phong tessellation, 0..1 (T. Boubekeur, M. Alexa, "Phong Tessellation", 2008). The factor 1/2 reproduces quadratic
+ * surfaces exactly. The authors recommend 3/4, chosen by eye.
  */
 export const PHONG = 0.5
 
-/** Outward room in metres at which Phong tessellation has its full effect. With less room, the surface is flatter. */
-export const ROOM_TO_CURVE = 0.0005
+/** Clearance in metres at which Phong tessellation has its full effect. With less clearance, the surface is curved less. */
+export const CLEARANCE_TO_CURVE = 0.0005
 
 /** Coarse mesh in its current pose. */
 export interface DeformedMesh {
@@ -19,10 +22,10 @@ export interface DeformedMesh {
 }
 
 /**
- * Sums the outward displacement of all layers.
+ * Computes the displacement of a point by all layers.
  *
- * @param layers influence 0..1, height 0..1 (0.5 = undisplaced), and amplitude in metres (difference between heights 0 and 1).
- * @returns displacement in metres.
+ * @param layers `influence`: 0..1. `height`: 0..1, 0.5 = undisplaced. `amplitude`: metres between heights 0 and 1.
+ * @returns displacement in metres, positive outwards.
  */
 export function displacement(
   layers: readonly { influence: number; height: number; amplitude: number }[],
@@ -34,12 +37,12 @@ export function displacement(
 }
 
 /**
- * Displaces a dense mesh. Places each vertex on its deformed coarse triangle, curves the triangle by Phong tessellation, and moves the vertex
- * along the smooth normal.
+ * Computes the vertex positions of a dense mesh. Phong tessellation curves the triangles of the deformed coarse mesh. Each vertex is
+ * interpolated on its curved triangle, and then moved along the smooth normal.
  *
- * @param heightAt returns the outward displacement at texture coordinates, metres.
- * @param room maximum displacement in either direction by coarse vertex, metres, see `outwardRoom`. Near other surfaces there is almost no
- *   room. The surface is not curved there, so that it still meets its neighbours.
+ * @param heightAt returns the displacement at texture coordinates, in metres, positive outwards.
+ * @param clearance maximum displacement at each coarse vertex, in metres; see `outwardClearance`. Displacements in either direction are
+ *   clamped to it. It also limits the effect of Phong tessellation, so that parts that touch, such as lips, stay in contact.
  * @param amount 0 = the coarse mesh, 1 = full relief.
  * @returns packed xyz per dense vertex.
  */
@@ -47,7 +50,7 @@ export function displace(
   dense: DenseMesh,
   { positions, normals }: DeformedMesh,
   heightAt: (u: number, v: number) => number,
-  room: ArrayLike<number>,
+  clearance: ArrayLike<number>,
   amount = 1,
 ): Float64Array {
   const out = new Float64Array(3 * dense.count)
@@ -62,8 +65,8 @@ export function displace(
     const flat = [0, 1, 2].map((axis) => sum(positions, axis))
     const normal = unit([0, 1, 2].map((axis) => sum(smooth, axis)))
     const curved = flat.slice()
-    const most = corners.reduce((total, { vertex, weight }) => total + weight * room[vertex / 3], 0)
-    const curvature = PHONG * amount * Math.min(most / ROOM_TO_CURVE, 1)
+    const most = corners.reduce((total, { vertex, weight }) => total + weight * clearance[vertex / 3], 0)
+    const curvature = PHONG * amount * Math.min(most / CLEARANCE_TO_CURVE, 1)
     for (const { vertex, weight } of corners) {
       const beyond = [0, 1, 2].reduce(
         (total, axis) => total + (flat[axis] - positions[vertex + axis]) * smooth[vertex + axis],
@@ -79,7 +82,7 @@ export function displace(
   return out
 }
 
-/** Averages the normals of all vertices at one position. If they cancel out, keeps the normal of the first vertex there. */
+/** Averages the normals of all vertices at each position. If the normals cancel out, uses the normal of the first vertex. */
 export function smoothNormals(normals: ArrayLike<number>, firstOf: ArrayLike<number>): Float64Array {
   const sums = new Float64Array(normals.length)
   for (let i = 0; i < firstOf.length; i++) {

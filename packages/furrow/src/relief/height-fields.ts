@@ -1,26 +1,26 @@
 import type { ImageArray } from '../core/image-array.ts'
 
-/** Layer with a height map. */
+/** A wrinkle layer with a height map. */
 export interface RaisedLayer {
-  /** Slice of the layer's height map. */
+  /** Slice that stores the layer's height map. */
   slice: number
-  /** Height difference from black to white, metres. */
+  /** Height difference between black and white, in metres. */
   amplitude: number
-  /** Slices of the layer's areas. */
+  /** Slices that store the weights of the layer's areas of influence. */
   areas: readonly number[]
 }
 
-/** Image with a value of 1 (set) or 0 per texel. */
+/** Image whose texels have the value 0 or 1. */
 export interface Mask {
   width: number
   height: number
   data: Uint8Array
 }
 
-/** Gray of undisplaced skin. */
+/** Value of a height map for undisplaced skin. */
 const NEUTRAL = 127.5
 
-/** Displacement by one layer in texture space, if all areas of the layer are fully active. */
+/** Displacement of the skin by one layer, at each point of the texture, if all areas of the layer are fully active. */
 export class HeightField {
   readonly width: number
   readonly height: number
@@ -31,7 +31,7 @@ export class HeightField {
 
   /**
    * @param heights height maps, 127.5 = undisplaced skin.
-   * @param areas weights, one slice per area. Null if the weights are only on the GPU; they then count as 255 everywhere.
+   * @param areas weights, 0..255, one slice per area. Null if the weights are only on the GPU; all weights are then assumed to be 255.
    */
   constructor(
     { slice, amplitude, areas: slices }: RaisedLayer,
@@ -47,7 +47,7 @@ export class HeightField {
     this.#weights = areas && { ...areas, data: unite(areas, slices) }
   }
 
-  /** Adds each texel's maximum displacement in either direction, metres. */
+  /** Adds the absolute displacement at each texel, in metres, to `sums`. */
   addReach(sums: Float32Array): void {
     const [{ width, height, data }] = this.#mipmaps
     const areas = this.#weights && { ...this.#weights, data: widen(this.#weights.data, this.#weights) }
@@ -55,7 +55,7 @@ export class HeightField {
       const row = areas ? areas.width * Math.floor(((y + 0.5) / height) * areas.height) : 0
       for (let x = 0; x < width; x++) {
         const weight = areas ? areas.data[row + Math.floor(((x + 0.5) / width) * areas.width)] : 255
-        // No area covers most of the texture.
+        // Most texels are not covered by any area, so skipping them saves time.
         if (weight === 0) continue
         const i = x + y * width
         sums[i] += (weight / 255) * Math.abs(data[i] - NEUTRAL) * this.#metresPerGray
@@ -64,13 +64,16 @@ export class HeightField {
   }
 
   /**
-   * Samples the outward displacement with bilinear filtering and repeated coordinates, metres. Texel centres are at integers.
+   * Samples the displacement between texels, with bilinear filtering. Coordinates outside the texture repeat.
    *
+   * @param x column in texels; texel centres are at integers.
+   * @param y row in texels.
    * @param level mipmap level. Fractional levels interpolate between two mipmaps (trilinear filtering).
+   * @returns displacement in metres, positive outwards.
    */
   between(x: number, y: number, level = 0): number {
     const weight = this.#weights ? this.#bilinear(x, y, this.#weights) / 255 : 1
-    // No area of the layer covers most of the skin.
+    // Most points are not covered by any area, so skipping them saves time.
     if (weight === 0) return 0
     const finer = Math.floor(level)
     const gray = this.#bilinear(x, y, this.#mipmap(finer))
@@ -78,7 +81,7 @@ export class HeightField {
     return weight * (gray + (level - finer) * (coarser - gray) - NEUTRAL) * this.#metresPerGray
   }
 
-  /** Samples an image bilinearly. The coordinates are in texels of the height map, and the image may have another size. */
+  /** Samples an image bilinearly. `atX` and `atY` are in texels of the height map, even if the image has a different size. */
   #bilinear(atX: number, atY: number, { width, height, data }: Gray): number {
     const x = ((atX + 0.5) / this.width) * width - 0.5
     const y = ((atY + 0.5) / this.height) * height - 0.5
@@ -109,7 +112,7 @@ interface Gray {
   data: Uint8Array
 }
 
-/** Computes the next mipmap: each texel is the mean of four. */
+/** Computes the next mipmap. Each new texel is the mean of four texels. */
 function halve({ width, height, data }: Gray): Gray {
   const half = { width: Math.max(width >> 1, 1), height: Math.max(height >> 1, 1) }
   const out = new Uint8Array(half.width * half.height)
@@ -123,7 +126,12 @@ function halve({ width, height, data }: Gray): Gray {
   return { ...half, data: out }
 }
 
-/** Finds the texels that all layers together can displace by more than `metres`. */
+/**
+ * Finds the texels that all layers together can displace by more than `metres`.
+ *
+ * @param fields height fields of the layers, with maps of one size.
+ * @returns generator that yields between parts of the work, and returns a mask with 1 for these texels and their neighbours.
+ */
 export function* raisedTexels(fields: readonly HeightField[], metres: number): Generator<void, Mask> {
   const [{ width, height }] = fields
   const sums = new Float32Array(width * height)
@@ -136,7 +144,7 @@ export function* raisedTexels(fields: readonly HeightField[], metres: number): G
   return { width, height, data: widen(mask, { width, height }) }
 }
 
-/** Finds the texels that any of some areas covers, regardless of heights. */
+/** Returns a mask with 1 for all texels that one of the areas covers, and for their neighbours. */
 export function weightedTexels(areas: ImageArray, slices: readonly number[]): Mask {
   const weights = unite(areas, slices)
   const { width, height } = areas
@@ -154,7 +162,7 @@ function wrap(texel: number, size: number): number {
   return ((texel % size) + size) % size
 }
 
-/** Adds the weights of some areas, clamped to 255. This is an upper bound for every `combine` mode. */
+/** Adds the weights of areas, clamped to 255. For areas that combine by `max`, the sum is an upper bound. */
 function unite({ width, height, data }: ImageArray, slices: readonly number[]): Uint8Array {
   const sum = new Uint8ClampedArray(width * height)
   for (const slice of slices) {
@@ -164,7 +172,7 @@ function unite({ width, height, data }: ImageArray, slices: readonly number[]): 
   return new Uint8Array(sum.buffer)
 }
 
-/** Replaces each texel by the maximum of itself and its eight neighbours, because bilinear filtering reads neighbours. */
+/** Replaces each texel by the maximum of the texel and its eight neighbours, because bilinear filtering reads neighbours. */
 function widen(values: Uint8Array, { width, height }: { width: number; height: number }): Uint8Array {
   const rows = new Uint8Array(values.length)
   for (let y = 0; y < height; y++) {

@@ -2,12 +2,13 @@ import { triangleNormal, uvArea } from '../math/triangle.ts'
 import type { CoarseMesh } from './coarse-mesh.ts'
 
 /**
- * Finds the mipmap level whose texels are half as wide as the distance between vertices. Narrower details would displace single vertices
- * (L. Williams, "Pyramidal Parametrics", 1983). This level weakens the finest waves that the vertices can represent by a quarter. Texels as
- * wide as the distance between vertices would weaken them by three quarters.
+ * Computes the mipmap level at which a height map must be sampled, for each vertex. Sharper levels contain details that are smaller than the
+ * distance between vertices. Such details would displace single vertices (L. Williams, "Pyramidal Parametrics", 1983). At the returned level,
+ * a texel is half as wide as the distance between vertices. The shortest waves that the vertices can represent lose a quarter of their
+ * amplitude at this level, and three quarters at the next level.
  *
- * @param firstOf maps each vertex to the first vertex at the same position, see `firstVertices`.
- * @param edge distance between vertices, metres.
+ * @param firstOf maps each vertex to the first vertex at the same position; see `firstVertices`.
+ * @param edge distance between vertices after subdivision, in metres.
  * @param map size of the height map in texels.
  * @returns level of each vertex, 0 = full resolution. Vertices at one position have the same level.
  */

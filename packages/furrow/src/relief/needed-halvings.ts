@@ -6,29 +6,30 @@ import { type HeightField, raisedTexels } from './height-fields.ts'
 import { MAX_LEVEL, nextCorner } from './welded-edges.ts'
 
 /**
- * Maximum error of the surface in metres, for each version of the dense mesh: less than half a pixel at 10, 5 and 2.5 pixels per millimetre.
- * At 10 pixels per millimetre, a head is 2,000 pixels high.
+ * Maximum error of the surface in metres, for each version of the dense mesh. The errors are less than half a pixel at 10, 5 and 2.5 pixels
+ * per millimetre. At 10 pixels per millimetre, a head is 2,000 pixels high.
  */
 export const TOLERANCES = [0.00004, 0.00008, 0.00016] as const
 
 /**
- * Fraction of the maximum error that is allowed on edges, because the error is larger inside a triangle. For an equilateral triangle on a
- * sphere, it is 4/3 of the error on the edges.
+ * Error allowed on the edges of triangles, as a fraction of the maximum error. The error inside a triangle is larger: for an equilateral
+ * triangle on a sphere, it is 4/3 of the error on the edges.
  */
 const ON_EDGES = 3 / 4
 
-/** Maximum number of halvings of a triangle's edges when heights are sampled, about one sample per texel. */
+/** Maximum number of times that an edge is halved to sample heights. Edges of up to 32 texels are sampled at least once per texel. */
 const MAX_GRID_HALVINGS = 5
 
 /**
- * Computes how often to halve each edge of each triangle, so that the mesh follows the heights and the curvature of the surface. The error of
- * an edge is the maximum over all lines in the triangle that are parallel to the edge. Triangles are therefore split across folds, not along
- * them. Triangles with linear heights are not split.
+ * Computes how often each edge of a triangle must be halved, so that the mesh follows the heights and the curvature of the surface. For each
+ * edge, the error is measured along the edge and along all lines in the triangle that are parallel to it. An edge that runs across a fold is
+ * therefore halved more often than an edge that runs along the fold. Edges are not halved where heights are linear.
  *
  * @param normals unit normals at rest.
- * @param levels mipmap level of the heights at each vertex, see `heightLevels`.
- * @returns for each tolerance, the halvings of the edge from each corner to the next. Values are fractional: an edge with 1.5 is halved twice,
- *   but inner lines that are slightly longer than half of the edge are halved only once.
+ * @param levels mipmap level of the heights at each vertex; see `heightLevels`.
+ * @returns generator that yields between parts of the work. It returns an array for each of `TOLERANCES`. The array contains three numbers of
+ *   halvings per triangle, for the edge from each corner to the next. An edge with a fractional number such as 1.5 is halved twice, but
+ *   shorter parallel lines in the triangle may be halved only once.
  */
 export function* neededHalvings(
   mesh: CoarseMesh,
@@ -37,7 +38,7 @@ export function* neededHalvings(
   levels: ArrayLike<number>,
 ): Generator<void, Float32Array[]> {
   const { uvs, triangles } = mesh
-  // Heights below half the tolerance need no vertices: the error is below the tolerance.
+  // Triangles with displacements of at most half the tolerance are not halved, because their error is below the tolerance.
   const isCovered = coverage(mesh, yield* raisedTexels(fields, TOLERANCES[0] / 2))
   const count = Math.floor(triangles.length / 3)
   const needed = TOLERANCES.map(() => new Float32Array(3 * count))
@@ -58,7 +59,8 @@ export function* neededHalvings(
       const edge = 3 * t + k
       const bulge = bulgeOf(mesh, normals, edge)
       const misses = missesOf(grids, k, bulge)
-      // Starts with the coarsest version, because finer versions contain its vertices.
+      // The loop starts with the coarsest version. A version contains all vertices of the coarser versions, so an edge is halved at least as
+      // often as in the coarser versions.
       let halvings = FEWEST
       for (let i = TOLERANCES.length - 1; i >= 0; i--) {
         halvings = Math.max(halvings, halvingsFor(misses, ON_EDGES * TOLERANCES[i]))
@@ -74,8 +76,9 @@ export function* neededHalvings(
 const SLICE = 256
 
 /**
- * Returns a function from a number of halvings to the error in metres along lines parallel to an edge. The error of a curved edge is divided by
- * four with each halving.
+ * Returns a function that computes the error, in metres, for a number of halvings of an edge. The function caches its results.
+ *
+ * @param bulge error in metres that the curvature of the surface causes along the undivided edge. Each halving divides this error by four.
  */
 function missesOf(grids: readonly Grid[], edge: number, bulge: number): (halvings: number) => number {
   const known: number[] = []
@@ -85,10 +88,10 @@ function missesOf(grids: readonly Grid[], edge: number, bulge: number): (halving
   }
 }
 
-/** Minimum number of halvings. The value -3 means that the edge could be eight times as long. */
+/** Minimum number of halvings. A number of -3 means that the edge could be eight times as long as it is. */
 const FEWEST = -3
 
-/** Returns the number of halvings, usually fractional, after which the error is within the tolerance. */
+/** Estimates the fractional number of halvings at which the error equals the tolerance. */
 function halvingsFor(misses: (halvings: number) => number, tolerance: number): number {
   let enough = 0
   while (enough < MAX_LEVEL && misses(enough) > tolerance) enough++
@@ -97,9 +100,10 @@ function halvingsFor(misses: (halvings: number) => number, tolerance: number): n
 }
 
 /**
- * Increases halvings until the numbers of parts of a triangle's edges meet the triangle inequality. `splitPatch` treats them as edge lengths.
+ * Increases the halvings of a triangle's edges so that the values of `2 ** halvings` meet the triangle inequality. `splitMesh` uses these
+ * values, the numbers of parts of the edges, as edge lengths.
  *
- * @param first index of the first of the triangle's three values.
+ * @param first index of the triangle's first number in `halvings`.
  */
 function balance(halvings: Float32Array, first: number): void {
   const [a, b, c] = [first, first + 1, first + 2].sort((i, k) => halvings[i] - halvings[k])
@@ -107,7 +111,7 @@ function balance(halvings: Float32Array, first: number): void {
   if (rest > 2 ** halvings[b]) halvings[b] = Math.log2(rest)
 }
 
-/** Computes the maximum distance between a straight edge and the edge curved by Phong tessellation (see `displace`), metres. */
+/** Computes the maximum distance, in metres, between a straight edge and the same edge after Phong tessellation. */
 function bulgeOf({ positions, triangles }: CoarseMesh, normals: ArrayLike<number>, corner: number): number {
   const [from, to] = [3 * triangles[corner], 3 * triangles[nextCorner(corner)]]
   let [start, end] = [0, 0]
@@ -123,14 +127,16 @@ function longestSide([ax, ay, bx, by, cx, cy]: Float64Array): number {
   return Math.max(Math.hypot(bx - ax, by - ay), Math.hypot(cx - bx, cy - by), Math.hypot(ax - cx, ay - cy))
 }
 
-/** Displacements sampled on a triangle, on a regular grid of barycentric coordinates. */
+/** Displacements of one triangle, sampled on a regular grid of barycentric coordinates. */
 class Grid {
   readonly #field: HeightField
   #steps = 1
   readonly #values = new Float64Array((2 ** MAX_GRID_HALVINGS + 1) ** 2)
-  /** Array offsets by edge: index of the edge's first value, step to the next value along the edge, and step to the next row. */
+  /** For each edge, the index of its first value in `#values`. */
   readonly #from = new Int32Array(3)
+  /** For each edge, the step in `#values` to the next value along the edge. */
   readonly #along = new Int32Array(3)
+  /** For each edge, the step in `#values` to the next line that is parallel to the edge. */
   readonly #across = new Int32Array(3)
 
   constructor(field: HeightField) {
@@ -138,16 +144,16 @@ class Grid {
   }
 
   /**
-   * Samples another triangle.
+   * Samples the displacements of a triangle. Replaces the samples of the previous triangle.
    *
-   * @param corners x and y of the triangle's corners, texels.
+   * @param corners x and y of the triangle's corners, in texels.
    * @param steps number of steps along each edge.
    * @returns false if all displacements are 0.
    */
   read([ax, ay, bx, by, cx, cy]: Float64Array, steps: number, mipmap: number): boolean {
     this.#steps = steps
     const column = steps + 1
-    // The value at i steps towards the first corner and j steps towards the second has the index i * column + j.
+    // The value at barycentric coordinates (i / steps, j / steps) has the index i * column + j.
     this.#from.set([steps * column, steps, 0])
     this.#along.set([1 - column, -1, column])
     this.#across.set([-column, column - 1, 1])
@@ -165,13 +171,16 @@ class Grid {
     return isRaised
   }
 
-  /** Computes the maximum error if every row parallel to an edge is halved some times and its parts are straight. */
+  /**
+   * Computes the maximum error, in metres, if an edge and all lines parallel to it are halved `halvings` times and each part becomes
+   * straight.
+   */
   error(edge: number, halvings: number): number {
     const stride = this.#steps / 2 ** halvings
     if (stride <= 1) return 0
     const step = this.#along[edge]
     let worst = 0
-    // The first row is the edge itself. Each further row is one step shorter.
+    // Row 0 is the edge. Each following row is a parallel line that is one step shorter.
     for (let row = 0, first = this.#from[edge]; row < this.#steps; row++, first += this.#across[edge]) {
       const length = this.#steps - row
       for (let from = 0; from < length; from += stride) {

@@ -1,20 +1,22 @@
+import { powerOfTwoFrom } from '../math/scalar.ts'
+
 /**
- * Assigns consecutive numbers, from 0, to pairs of vertices such as edges. Uses a hash table with open addressing, which is several times
- * faster than a `Map`.
+ * Assigns consecutive numbers, starting at 0, to pairs of vertices such as edges. Uses a hash table with open addressing, which is several
+ * times faster than a `Map`.
  */
 export class PairNumbers {
-  /** Number of distinct pairs. */
+  /** Number of different pairs so far. */
   count = 0
   readonly #firsts: Uint32Array
   readonly #seconds: Uint32Array
-  /** Hash table with linear probing. Slots hold the pair's number plus 1, or 0 if they are free. */
+  /** Hash table with linear probing. A slot stores 1 plus the number of a pair, or 0 if it is free. */
   readonly #slots: Uint32Array
 
-  /** @param most maximum number of distinct pairs. */
+  /** @param most maximum number of different pairs. */
   constructor(most: number) {
     this.#firsts = new Uint32Array(most)
     this.#seconds = new Uint32Array(most)
-    this.#slots = new Uint32Array(2 ** Math.ceil(Math.log2(2 * most + 2)))
+    this.#slots = new Uint32Array(powerOfTwoFrom(2 * most + 2))
   }
 
   /** Returns the number of an ordered pair. A new pair gets the next number. */

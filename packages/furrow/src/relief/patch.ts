@@ -1,12 +1,15 @@
 import { MAX_LEVEL } from './welded-edges.ts'
 
-/** Sum of the integer barycentric coordinates of a point in a patch. A power of two that allows all halvings of an edge. */
+/** Sum of the three integer barycentric coordinates of a point in a triangle. It is a power of two, so that halving gives integers. */
 export const COORDINATE_SUM = 2 ** (MAX_LEVEL + 4)
 
-/** Point of a patch: integer barycentric coordinates of the first and second corner, see `COORDINATE_SUM`, and the vertex index. */
+/** A point in a patch. A patch is a triangle that is subdivided. */
 interface Point {
+  /** Integer barycentric coordinate of the first corner, 0..`COORDINATE_SUM`. */
   x: number
+  /** Integer barycentric coordinate of the second corner. */
   y: number
+  /** Index of the vertex in the dense mesh. */
   index: number
 }
 
@@ -14,21 +17,21 @@ interface Point {
 export interface PatchRules {
   /** Vertex indices of the corners. */
   corners: readonly [number, number, number]
-  /** Halvings of the edges from corner 0 to 1, 1 to 2 and 2 to 0. */
+  /** Number of halvings of the edges from corner 0 to 1, 1 to 2 and 2 to 0. */
   levels: readonly [number, number, number]
-  /** Whether to halve an edge inside the patch, given its step in barycentric coordinates. */
+  /** Whether to halve an edge inside the patch. `dx` and `dy` are the differences in `x` and `y` between the ends of the edge. */
   isLong(dx: number, dy: number): boolean
-  /** Returns the vertex on an edge of the patch. `part` is the fraction of the edge from its first corner, 0..1. */
+  /** Returns the vertex at a position on edge 0, 1 or 2 of the patch. `part` is this position, from 0 at the edge's first corner to 1. */
   onEdge(edge: number, part: number): number
-  /** Returns the vertex inside the patch at integer barycentric coordinates. The same coordinates give the same vertex. */
+  /** Returns the vertex inside the patch at coordinates `x` and `y`. Calls with the same coordinates must return the same vertex. */
   inside(x: number, y: number): number
 }
 
 /**
- * Splits a triangle by halving all edges that are too long, recursively. The decision depends only on the edge, so both triangles at an edge
- * decide alike, and there are no T-junctions.
+ * Subdivides a triangle by halving all edges that are too long, recursively. Whether an edge is halved depends only on the edge and not on
+ * the triangle. Both triangles at an edge are therefore split at the same point, and there are no T-junctions.
  *
- * @param emit receives the three vertices of each triangle, with the winding of the patch.
+ * @param emit receives the three vertices of each new triangle. New triangles have the winding of the patch.
  */
 export function splitPatch(rules: PatchRules, emit: (a: number, b: number, c: number) => void): void {
   const middle = (p: Point, q: Point): Point | null => {
@@ -81,7 +84,7 @@ function edgeOf(p: Point, q: Point): number {
   return p.y === 0 && q.y === 0 ? 2 : -1
 }
 
-/** Returns the position of a point along an edge of the patch, 0..1 from the edge's first corner. */
+/** Returns the position of a point along an edge of the patch, from 0 at the edge's first corner to 1. */
 function alongEdge({ x, y }: Point, edge: number): number {
   if (edge === 0) return y / COORDINATE_SUM
   return edge === 1 ? 1 - y / COORDINATE_SUM : x / COORDINATE_SUM

@@ -6,27 +6,30 @@ import { COORDINATE_SUM, splitPatch } from './patch.ts'
 import { WeldedEdges } from './welded-edges.ts'
 
 export interface SplitOptions {
-  /** Target edge length, metres. */
+  /** Target edge length in metres. */
   edge?: number
-  /** Maximum number of triangles. The target edge length is increased to fit. */
+  /** Maximum number of triangles. If the mesh would have more, the target edge length is increased. */
   budget?: number
-  /** Halvings for coarser versions of the surface, in the format of `halvings`. No edge has more halvings than in the version before. */
+  /**
+   * Halvings for each coarser version of the mesh, in the format of the argument `halvings`. Finer versions come first. No edge may have more
+   * halvings than in a finer version.
+   */
   coarser?: readonly Float32Array[]
 }
 
 export const SPLIT_DEFAULTS: Required<SplitOptions> = { edge: 0.0012, budget: MAX_TRIANGLES, coarser: [] }
 
-/** Maximum edge length as a multiple of the target. Longer edges are halved, which leaves edges of 0.7 to 1.4 times the target. */
+/** Edges longer than this multiple of the target length are halved. The resulting edges have 0.7 to 1.4 times the target length. */
 const MAX_EDGE_FACTOR = Math.SQRT2
 
 /** Number of coarse triangles between two yields. */
 const SLICE = 256
 
 /**
- * Subdivides triangles, and joins neighbouring triangles to them without T-junctions.
+ * Subdivides the triangles of a mesh without T-junctions.
  *
- * @param halvings maximum halvings of the three edges of each triangle, fractional, see `neededHalvings`. Edges shorter than the target are not
- *   halved.
+ * @param halvings maximum number of halvings for the three edges of each triangle; see `neededHalvings`. The numbers may be fractional. An
+ *   edge is not halved further once its parts have about the target length.
  * @returns generator that yields between parts of the work, and returns the dense mesh.
  */
 export function* splitMesh(
@@ -50,7 +53,7 @@ export function* splitMesh(
   return splitter.dense.finish(edge)
 }
 
-/** Returns the smallest target edge length, at least `wanted`, that keeps the number of triangles within the budget. */
+/** Returns a target edge length of at least `wanted` metres for which the number of triangles is at most `budget`. */
 function fitBudget(halvings: Float32Array, edges: WeldedEdges, wanted: number, budget: number): number {
   for (let edge = wanted; ; ) {
     const levels = edges.levelsFor(halvings, MAX_EDGE_FACTOR * edge)
@@ -60,7 +63,7 @@ function fitBudget(halvings: Float32Array, edges: WeldedEdges, wanted: number, b
   }
 }
 
-/** Estimates the number of triangles. Halving all three edges of a triangle gives four triangles. */
+/** Estimates the number of triangles after subdivision. Halving all three edges of a triangle results in four triangles. */
 function countTriangles(edgeOf: Uint32Array, levels: Uint8Array): number {
   let sum = 0
   for (let k = 0; k < edgeOf.length; k += 3) {
@@ -69,19 +72,21 @@ function countTriangles(edgeOf: Uint32Array, levels: Uint8Array): number {
   return sum
 }
 
-/** Splits triangles one by one, for all versions. Triangles with a common edge share the vertices on it. */
+/** Subdivides triangles one by one, for all versions of the mesh. Triangles with a common edge share the vertices on this edge. */
 class Splitter {
   readonly dense: DenseBuilder
   readonly #mesh: CoarseMesh
   readonly #edges: WeldedEdges
   readonly #levels: readonly Uint8Array[]
   readonly #longest: number
-  /** Cut edges by their two coarse vertices, and the first dense vertex on each. At a texture seam, both sides are separate edges. */
+  /**
+   * Assigns a number to each split edge. An edge is a pair of coarse vertices, so the two triangles at a texture seam have different edges.
+   */
   readonly #cut: PairNumbers
-  /** First new vertex on each split edge. */
+  /** For each split edge, the index of the first dense vertex on it. */
   readonly #onEdges: Uint32Array
 
-  /** @param levels halvings of each edge in each version, finest version first. */
+  /** @param levels number of halvings of each edge, for each version; the finest version is first. */
   constructor(mesh: CoarseMesh, edges: WeldedEdges, levels: readonly Uint8Array[], longest: number) {
     this.#mesh = mesh
     this.#edges = edges
@@ -97,7 +102,11 @@ class Splitter {
     }
   }
 
-  /** Splits triangle `t`. @param versions fractional halvings in each version, see `neededHalvings`. */
+  /**
+   * Subdivides triangle `t`.
+   *
+   * @param versions halvings of all edges, one array per version; see `neededHalvings`.
+   */
   split(t: number, versions: readonly Float32Array[]): void {
     const { triangles, positions } = this.#mesh
     const { edgeOf } = this.#edges
@@ -128,7 +137,11 @@ class Splitter {
     }
   }
 
-  /** Returns the vertex inside a triangle at integer barycentric coordinates. @param known vertices of this triangle so far. */
+  /**
+   * Returns the vertex inside a triangle at integer barycentric coordinates. Creates the vertex if it does not exist.
+   *
+   * @param known existing vertices inside this triangle.
+   */
   #inside(
     corners: readonly [number, number, number],
     x: number,
@@ -148,13 +161,13 @@ class Splitter {
     return vertex
   }
 
-  /** Returns the vertex on the edge from `a` to `b`. @param part fraction of the edge, 0..1. */
+  /** Returns the vertex on the edge from `a` to `b`, at position `part` along the edge, 0..1. */
   #onEdge(corner: number, a: number, b: number, part: number): number {
     const isForward = this.#edges.startsAt(a, b)
     const from = isForward ? a : b
     const to = isForward ? b : a
     const edge = this.#edges.edgeOf[corner]
-    // Creates the vertices of the finest version, because coarser versions use a subset of them.
+    // Creates all vertices that the finest version has on this edge. Coarser versions use some of them.
     const segments = 2 ** this.#levels[0][edge]
     const { count } = this.#cut
     const cut = this.#cut.numberOf(from, to)
@@ -176,11 +189,14 @@ class Splitter {
 }
 
 /**
- * Returns a function that measures the length of a step within a triangle in a metric (see P.-L. George, H. Borouchaki, "Delaunay
- * Triangulation and Meshing", 1998). In this metric, an edge of the triangle is as long as the number of parts into which it is split. Steps
- * longer than 1 are halved. The function returns the squared length times `COORDINATE_SUM ** 2`.
+ * Returns a function that measures lines inside a triangle in an anisotropic metric (see P.-L. George, H. Borouchaki, "Delaunay
+ * Triangulation and Meshing", 1998). The length of an edge of the triangle in this metric is the number of parts into which the edge is
+ * split. A line with a length over 1 must therefore be halved.
  *
- * @param first index of the first of the triangle's three values in `halvings`.
+ * The arguments of the function are the differences of the first two integer barycentric coordinates between the ends of the line. It
+ * returns the squared length times `COORDINATE_SUM ** 2`.
+ *
+ * @param first index of the triangle's first number in `halvings`.
  */
 function partsOf(halvings: Float32Array, first: number): (dx: number, dy: number) => number {
   const [ab, bc, ca] = [4 ** halvings[first], 4 ** halvings[first + 1], 4 ** halvings[first + 2]]
@@ -188,8 +204,8 @@ function partsOf(halvings: Float32Array, first: number): (dx: number, dy: number
 }
 
 /**
- * Returns a function that measures the length of a step within a triangle. The arguments are the changes of the first two integer barycentric
- * coordinates. The function returns the squared length times `COORDINATE_SUM ** 2`.
+ * Returns a function that measures lines inside a triangle in metres. The arguments of the function are the differences of the first two
+ * integer barycentric coordinates between the ends of the line. It returns the squared length times `COORDINATE_SUM ** 2`.
  */
 function squaredLengths(
   positions: ArrayLike<number>,
@@ -206,7 +222,10 @@ function squaredLengths(
   return (dx, dy) => dx * dx * xx + 2 * dx * dy * xy + dy * dy * yy
 }
 
-/** Returns two pairs of texture coordinates for each first vertex: the smallest and the largest at its position, in lexicographic order. */
+/**
+ * Returns two pairs of texture coordinates for each position: the smallest and the largest pair, in lexicographic order. They are stored at the
+ * index of the first vertex at the position.
+ */
 function uvsOfPoints({ uvs }: CoarseMesh, firstOf: Uint32Array): Float64Array {
   const found = new Float64Array(4 * firstOf.length)
   for (let vertex = 0; vertex < firstOf.length; vertex++) {
@@ -214,7 +233,7 @@ function uvsOfPoints({ uvs }: CoarseMesh, firstOf: Uint32Array): Float64Array {
     const last = first + 2
     const u = uvs[2 * vertex]
     const v = uvs[2 * vertex + 1]
-    // The loop visits the first vertex at a position before the others.
+    // The loop visits the first vertex at a position before the other vertices at this position.
     const isNew = first === 4 * vertex
     if (isNew || u < found[first] || (u === found[first] && v < found[first + 1])) {
       found[first] = u

@@ -2,26 +2,26 @@ import { weldVertices } from '../math/weld.ts'
 import type { CoarseMesh } from './coarse-mesh.ts'
 import { PairNumbers } from './pair-numbers.ts'
 
-/** Maximum number of halvings of an edge: enough for segments of 1 mm on an edge of 1 m. */
+/** Maximum number of halvings of an edge. Ten halvings split an edge of 1 m into parts of 1 mm. */
 export const MAX_LEVEL = 10
 
-/** Numbers per welded edge: u and v at both ends of two edges. */
+/** Number of texture coordinates per welded edge: u and v at both ends, for two mesh edges. */
 const PER_EDGE = 8
 
 /**
- * Numbered edges of the welded mesh. Edges between the same two positions are one welded edge, even if their texture coordinates differ. A
- * welded edge starts at the end with the smaller index of `firstOf`.
+ * Assigns numbers to the edges of a mesh. Edges between the same two positions count as one welded edge, even if their texture coordinates
+ * differ. A welded edge starts at the vertex with the smaller value in `firstOf`.
  */
 export class WeldedEdges {
   /** Maps each vertex to the first vertex at the same position. */
   readonly firstOf: Uint32Array
-  /** Welded edge from each triangle corner to the next. */
+  /** For each triangle corner, the number of the welded edge from this corner to the next. */
   readonly edgeOf: Uint32Array
   /** Number of welded edges. */
   readonly count: number
   readonly #lengths: Float64Array
   readonly #uvs: Float64Array
-  /** Scratch: texture coordinates at both ends of an edge. */
+  /** Scratch array with the texture coordinates at both ends of an edge. */
   readonly #own = new Float64Array(4)
 
   constructor({ positions, uvs, triangles }: CoarseMesh) {
@@ -47,16 +47,16 @@ export class WeldedEdges {
     this.count = known.count
   }
 
-  /** Whether the welded edge between two vertices starts at `a`. */
+  /** Whether vertex `a` is the start of the welded edge between `a` and `b`. */
   startsAt(a: number, b: number): boolean {
     return this.firstOf[a] < this.firstOf[b]
   }
 
   /**
-   * Interpolates the texture coordinates at a point of a welded edge. At a seam there are two pairs, one per side; elsewhere both pairs are equal.
+   * Interpolates the texture coordinates at a point of a welded edge. There are two pairs of coordinates, which differ at a texture seam.
    *
-   * @param at position along the edge from its start, 0..1.
-   * @param k 0 and 1 for u and v of the first pair, 2 and 3 for u and v of the second.
+   * @param at position along the edge, from 0 at its start to 1.
+   * @param k coordinate to return: 0 and 1 are u and v of the first pair, 2 and 3 are u and v of the second pair.
    */
   uvAt(edge: number, at: number, k: number): number {
     const offset = PER_EDGE * edge + (k < 2 ? k : k + 2)
@@ -64,11 +64,11 @@ export class WeldedEdges {
   }
 
   /**
-   * Computes the number of halvings of each welded edge: the maximum of its triangles, limited so that segments are not halved once they are
-   * shorter than `longest`.
+   * Computes the number of halvings of each welded edge. It is the maximum over the triangles at the edge, but halving stops when the parts of
+   * the edge are at most `longest` metres long.
    *
-   * @param halvings fractional halvings of each triangle's edges.
-   * @returns integer halvings by welded edge. An edge gets `2 ** halvings` segments.
+   * @param halvings number of halvings for the edges of each triangle; may be fractional.
+   * @returns an integer for each welded edge. The edge is split into `2 ** halvings` parts.
    */
   levelsFor(halvings: Float32Array, longest: number): Uint8Array {
     const levels = new Uint8Array(this.count)
@@ -80,7 +80,7 @@ export class WeldedEdges {
     return levels
   }
 
-  /** Keeps the smallest and largest texture coordinates of an edge, in lexicographic order. */
+  /** Stores the texture coordinates of an edge if they are the smallest or largest of their welded edge, in lexicographic order. */
   #addUvs(uvs: ArrayLike<number>, edge: number, from: number, to: number, isNew: boolean): void {
     const own = this.#own
     own[0] = uvs[2 * from]
@@ -93,7 +93,7 @@ export class WeldedEdges {
     if (isNew || this.#compare(last) > 0) this.#uvs.set(own, last)
   }
 
-  /** Compares the scratch texture coordinates with those at an offset, in lexicographic order. Returns a negative number, 0, or a positive one. */
+  /** Compares `#own` with the coordinates at an offset of `#uvs`, in lexicographic order. The result is negative if `#own` is smaller. */
   #compare(offset: number): number {
     for (let k = 0; k < 4; k++) {
       const difference = this.#own[k] - this.#uvs[offset + k]
@@ -108,7 +108,7 @@ export function nextCorner(corner: number): number {
   return corner % 3 === 2 ? corner - 2 : corner + 1
 }
 
-/** Maps each vertex to the first vertex at the same position. */
+/** Returns, for each vertex, the index of the first vertex at the same position. */
 export function firstVertices(positions: ArrayLike<number>): Uint32Array {
   const { pointOf, count } = weldVertices(positions)
   const first = new Uint32Array(count)
@@ -116,7 +116,7 @@ export function firstVertices(positions: ArrayLike<number>): Uint32Array {
   return pointOf.map((point) => first[point])
 }
 
-/** Returns the number of halvings after which segments are at most `longest`. */
+/** Returns the number of halvings after which the parts of an edge are at most `longest` metres long. */
 function levelOf(length: number, longest: number): number {
   const level = Math.ceil(Math.log2(length / longest))
   return Number.isFinite(level) ? Math.min(Math.max(level, 0), MAX_LEVEL) : 0

@@ -3,10 +3,13 @@ import { unknownArea } from '../core/check-areas.ts'
 import { formatProblem } from '../core/error.ts'
 import { MAX_AREAS } from '../core/limits.ts'
 
-/** Scratch for one activation: V8 may box numbers that are passed to functions. */
+/** Buffer for one activation. V8 may allocate memory for a number that is passed to a function, so activations are passed in arrays. */
 const scratch = new Float32Array(1)
 
-/** Activations of a face: one number, 0..1, per area. Areas are addressed by name. */
+/**
+ * Activations of one face. Each area (group of wrinkles) has an activation from 0 to 1, where 1 means that its wrinkles are fully visible.
+ * Areas are addressed by name.
+ */
 export class Activations {
   /** Incremented on every change. */
   version = 0
@@ -14,7 +17,6 @@ export class Activations {
   /** Activations in the order of the areas, padded with zeros to 256. Read-only. The array is never replaced. */
   readonly values = new Float32Array(MAX_AREAS)
 
-  /** Indices of the areas by name. */
   #indices = new Map<string, number>()
   #warned = false
   readonly #who: string
@@ -28,12 +30,11 @@ export class Activations {
     this.rebind(areas)
   }
 
-  /** Names of the areas, in order. */
   get names(): string[] {
     return [...this.#indices.keys()]
   }
 
-  /** Changes the list of areas. Existing names keep their activations; new ones start at 0. */
+  /** Replaces the list of areas. Areas in both lists keep their activations. New areas start at 0. */
   rebind(areas: readonly { name: string }[]): void {
     const kept = areas.map(({ name }) => (this.has(name) ? this.get(name) : 0))
     this.#indices = new Map(areas.map(({ name }, index) => [name, index]))
@@ -54,7 +55,7 @@ export class Activations {
   /**
    * Sets the activation of an area.
    *
-   * @param value 0..1. Other values are clamped and NaN becomes 0, with one warning per object.
+   * @param value 0..1. Other values are clamped, and NaN becomes 0. The first such value logs a warning.
    * @throws FurrowError if the name is unknown or the value is not a number.
    */
   set(name: string, value: number): void {
@@ -66,11 +67,11 @@ export class Activations {
   }
 
   /**
-   * Sets an activation by area index. Allocates nothing, unlike `set`, whose argument V8 may box.
+   * Sets the activation of an area by index. Unlike `set`, this method allocates nothing, because the value is passed in an array.
    *
    * @param index index of the area.
-   * @param values 0..1; other values are clamped and NaN becomes 0.
-   * @param source index of the value in `values`.
+   * @param values contains the activation. Values outside 0..1 are clamped, and NaN becomes 0.
+   * @param source index of the activation in `values`.
    */
   setAt(index: number, values: Float32Array, source: number): void {
     let value = values[source]
@@ -81,9 +82,9 @@ export class Activations {
   }
 
   /**
-   * Sets several activations by name; unknown names are ignored. Allocates nothing.
+   * Sets several activations by name. Unknown names are ignored. Allocates nothing.
    *
-   * @param values 0..1, in the order of the names.
+   * @param values activations, 0..1, in the order of the names.
    * @param except names to skip.
    */
   setNamed(names: readonly string[], values: Float32Array, except?: ReadonlySet<string>): void {
@@ -94,7 +95,6 @@ export class Activations {
     }
   }
 
-  /** Whether an area with the name exists. */
   has(name: string): boolean {
     return this.#indices.has(name)
   }

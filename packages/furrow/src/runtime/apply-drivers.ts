@@ -3,10 +3,11 @@ import { FurrowError } from '../core/error.ts'
 import type { WrinkleDriver } from '../drivers/registry.ts'
 
 /**
- * Applies drivers written by the application.
+ * Calls `apply`, and reports malformed drivers as a FurrowError.
  *
+ * @param drivers drivers that the application passed.
  * @param who name of the caller in errors.
- * @param apply applies the drivers and binds their inputs, so that malformed drivers fail here instead of in a frame.
+ * @param apply adds the drivers to a face and binds their inputs.
  * @throws FurrowError if a driver is malformed.
  */
 export function applyDrivers(drivers: readonly WrinkleDriver[], who: string, apply: () => void): void {

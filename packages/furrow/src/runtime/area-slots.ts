@@ -1,7 +1,7 @@
 import type { Bounds } from '../core/bounds.ts'
 import type { Combine } from '../core/types.ts'
 
-/** Location of an area's weights in a texture array. Slots and activations are in the same order. */
+/** Location of one area's weights in a texture array. */
 export interface AreaSlot {
   /** Index of the layer. */
   layer: number
@@ -9,14 +9,15 @@ export interface AreaSlot {
   slice: number
   /** Channel of the slice, 0 = R to 3 = A. */
   channel: number
-  /** Bounds of all texels with a weight above 0. */
+  /** Bounding rectangle of all texels with a weight above 0. */
   bounds: Bounds
 }
 
-/** Areas of a set in one array of `width` x `height` texels per slice. */
+/** Locations of all areas of a wrinkle set in one texture array. Each slice has `width` x `height` texels. */
 export interface AreaSlots {
   readonly width: number
   readonly height: number
+  /** One slot per area, in the order of the activations. */
   readonly slots: readonly AreaSlot[]
   /** Incremented on every change of weights. */
   version: number

@@ -1,29 +1,29 @@
 import { FurrowError } from '../core/error.ts'
 import type { Face } from './face.ts'
 
-/** Rectangle of the atlas that holds the influence map of one face. */
+/** Rectangle of the atlas texture that stores the influence map of one face. */
 export interface Cell {
   readonly face: Face
-  /** Position in the grid, row by row. */
+  /** Index in the grid of cells, counted row by row. */
   readonly index: number
-  /** Activations at the last draw, by area; NaN before the first draw. */
+  /** Activation of each area when the cell was last drawn; NaN before the first draw. */
   readonly drawn: Float32Array
-  /** Version of the areas' weights at the last draw. `STALE` forces a redraw, after a change of areas or of the texture. */
+  /** Version of the areas' weights when the cell was last drawn, or `STALE` if the cell must be redrawn. */
   version: number
-  /** Latest version of the activations that needed no redraw. */
+  /** Version of the activations at the last comparison with `drawn` that found no visible difference. */
   drawnVersion: number
 }
 
-/** Version of a cell that must be redrawn. Areas never have this version. */
+/** Value of `Cell.version` that forces a redraw. Weights never have this version. */
 export const STALE = -1
 
 /** Smallest visible change of an activation: half an 8-bit step. */
 const SMALLEST_CHANGE = 1 / 510
 
-/** Maximum side of the atlas in texels, supported by all WebGL 2 and WebGPU devices in use. */
+/** Maximum width and height of the atlas in texels, supported by all WebGL 2 and WebGPU devices in use. */
 const MAX_SIDE = 8192
 
-/** Four numbers; compatible with the vector classes of engines. */
+/** Vector that is compatible with the vector classes of engines. */
 export interface Vector4Like {
   x: number
   y: number
@@ -31,20 +31,22 @@ export interface Vector4Like {
   w: number
 }
 
-/** Layout of an atlas of influence maps: a grid of cells of one size, and the cells to redraw. */
+/**
+ * Layout of a texture atlas with the influence maps of many faces. An influence map stores how visible each wrinkle layer is at each point of
+ * the skin. The atlas is a grid of cells, one per face.
+ */
 export class AtlasCells {
-  /** Size of a cell in texels, equal to the size of the faces' areas. */
+  /** Width and height of a cell in texels. The areas of each face have this size. */
   readonly width: number
   readonly height: number
   /**
    * Factors (x, y) and offsets (z, w) for texture coordinates. They map the centre of a cell's first texel to 0 and the centre of its last
-   * texel to 1. Shaders clamp the result to 0..1, so that samples do not reach neighbouring cells. GPUs clamp to 0..1 for free, but not to
-   * other ranges.
+   * texel to 1. Shaders clamp the mapped coordinates to 0..1, so that samples do not reach neighbouring cells. Clamping to 0..1 costs
+   * nothing on GPUs.
    */
   readonly inside: Readonly<Vector4Like>
-  /** Grid size in cells. */
   readonly grid = { columns: 1, rows: 1 }
-  /** Cells to redraw: the first `changes` items. The array is never emptied, because that would allocate. */
+  /** The first `changes` items are the cells to redraw. The array is not emptied after a frame, because filling it again would allocate. */
   readonly changed: Cell[] = []
   changes = 0
   readonly #cells: (Cell | null)[] = []
@@ -53,7 +55,7 @@ export class AtlasCells {
   constructor(width: number, height: number) {
     this.width = width
     this.height = height
-    // Avoids a division by 0: a cell of one texel is constant.
+    // If a cell is one texel wide or high, the divisor is 1 instead of 0.
     const [across, down] = [width - 1 || 1, height - 1 || 1]
     this.inside = { x: width / across, y: height / down, z: -0.5 / across, w: -0.5 / down }
   }
@@ -62,7 +64,7 @@ export class AtlasCells {
     return this.#used === 0
   }
 
-  /** Whether one cell fills the atlas; shaders then use texture coordinates unchanged. */
+  /** Whether a single cell fills the atlas. Shaders then use texture coordinates unchanged. */
   get isSingle(): boolean {
     return this.grid.columns * this.grid.rows === 1
   }
@@ -72,13 +74,13 @@ export class AtlasCells {
     return this.changes === this.#used
   }
 
-  /** Area arrays used by the faces. */
+  /** Locations of the weights of all areas that the faces use. */
   get slots(): Set<Face['slots']> {
     return new Set(this.#cells.flatMap((cell) => (cell ? [cell.face.slots] : [])))
   }
 
   /**
-   * Allocates consecutive cells to faces. If the grid grows, all cells become stale.
+   * Allocates consecutive cells for faces. If the grid must grow, all cells are marked `STALE`.
    *
    * @throws FurrowError if the cells do not fit into the largest texture.
    */
@@ -94,7 +96,6 @@ export class AtlasCells {
     })
   }
 
-  /** Frees cells. */
   remove(cells: readonly Cell[]): void {
     for (const { index } of cells) this.#cells[index] = null
     this.#used -= cells.length
@@ -103,12 +104,16 @@ export class AtlasCells {
     while (this.#cells.length > 0 && this.#cells[this.#cells.length - 1] === null) this.#cells.pop()
   }
 
-  /** Adds the cells that must be redrawn to `changed`. */
+  /** Appends to `changed` the cells that must be redrawn. */
   collect(cells: readonly Cell[]): void {
     for (let i = 0; i < cells.length; i++) if (hasChanged(cells[i])) this.changed[this.changes++] = cells[i]
   }
 
-  /** Writes the centre of a cell's first texel (x, y), and the offset from there to the centre of its last texel (z, w), in atlas coordinates. */
+  /**
+   * Computes the position of a cell in texture coordinates of the atlas.
+   *
+   * @param place receives the centre of the cell's first texel (x, y), and the offset from there to the centre of its last texel (z, w).
+   */
   locate(index: number, place: Vector4Like): void {
     const { width, height } = this
     const { columns, rows } = this.grid
@@ -118,12 +123,12 @@ export class AtlasCells {
     place.w = (1 - 1 / height) / rows
   }
 
-  /** Marks all cells stale, after the content of the atlas is lost. */
+  /** Marks all cells `STALE`. Call when the content of the atlas texture is lost. */
   invalidate(): void {
     for (const cell of this.#cells) if (cell) cell.version = STALE
   }
 
-  /** Returns the first index of `count` consecutive free cells. */
+  /** Returns the index of the first of `count` consecutive free cells. */
   #findFree(count: number): number {
     let run = 0
     for (let i = 0; i < this.#cells.length; i++) {
@@ -167,7 +172,7 @@ function hasChanged(cell: Cell): boolean {
   return false
 }
 
-/** Whether an activation has changed visibly. Changes from or to 0 always count, because skin at 0 must be exactly smooth. */
+/** Whether an activation has changed visibly. Any change from or to 0 counts, because skin must be exactly smooth at 0. */
 export function hasMoved(value: number, drawn: number): boolean {
   const change = Math.abs(value - drawn)
   return change > SMALLEST_CHANGE || (change > 0 && (value === 0 || drawn === 0))

@@ -2,10 +2,10 @@ import { wrongArgument } from '../core/argument.ts'
 import type { WrinkleFaces } from './wrinkle-faces.ts'
 
 /**
- * Checks that an argument is a `Wrinkles` object, for callers without types. Objects from another copy of the library pass.
+ * Checks that an argument is a `Wrinkles` object, for callers without TypeScript. Objects of another copy of the library are accepted.
  *
  * @param argument name of the argument in errors.
- * @throws FurrowError for other values. A common mistake is the list that `wrinklesOf(file)` returns.
+ * @throws FurrowError for other values, such as the list that `wrinklesOf(file)` returns.
  */
 export function checkWrinkles(wrinkles: WrinkleFaces, who: string, argument = 'wrinkles'): void {
   if (typeof wrinkles?.hasArea === 'function') return

@@ -8,59 +8,59 @@ import type { Face } from './face.ts'
 import { LastInputs } from './last-inputs.ts'
 import type { NamedInputs } from './named-inputs.ts'
 
-/** Reads the inputs of one kind from an engine's objects. */
+/** Reads inputs of one kind (blendshape weights, joints or tension) from an engine's objects. */
 export interface InputReader<Engine> extends InputSource {
   /**
-   * Reads the inputs of one face. Runs per frame and should not allocate.
+   * Reads the inputs of one face. This method runs in every frame and should not allocate.
    *
-   * @param values receives `count` numbers.
+   * @param values receives one number per input.
    * @param instance index of the instance; 0 for meshes without instances.
    * @param engine object that draws the frame, e.g. a renderer; null if nothing is drawn.
    */
   read(values: Float64Array, instance: number, engine: Engine | null): void
 }
 
-/** Kinds of inputs that an engine measures. */
+/** Kinds of inputs that are read from an engine. Inputs of the kind `value` are set by the application. */
 export type MeasuredKind = Exclude<ExternalInputKind, 'value'>
 
-/** Reader of each kind that a plan uses. */
+/** One reader for each kind of input that a plan uses. */
 export type InputReaders<Engine> = { readonly [K in MeasuredKind]?: InputReader<Engine> }
 
-/** Binds the inputs of a plan to a mesh. */
+/** Creates readers that read the inputs of a plan from a mesh. A plan is the compiled form of a list of drivers. */
 export type BindInputs<Engine> = (inputs: DriverPlan['inputs']) => InputReaders<Engine>
 
 const MEASURED = ['target', 'joint', 'tension'] as const satisfies readonly MeasuredKind[]
 
-/** Index of an area that the face does not have. */
+/** Value in `#indices` for an area that the face does not have. */
 const NO_AREA = 0xffff
 
 /**
- * Runs drivers on the faces of one mesh, with one method per phase of a frame. Allocates nothing after the first frame. Faces with
- * unchanged inputs and activations are skipped.
+ * Runs drivers on the faces of one mesh. Drivers compute activations of areas from inputs such as blendshape weights. A frame calls
+ * `readInputs`, `evaluate` and `apply` in this order. Nothing is allocated after the first frame. Faces with unchanged inputs and
+ * activations are skipped.
  */
 export class DriverRuntime<Engine> {
   readonly plan: DriverPlan
   readonly #bindInputs: BindInputs<Engine>
   readonly #values: InputSource
-  /** Values of the inputs that the application sets: one array per input, with one value per face. */
+  /** Inputs that the application sets: one array per input, with one value per face. */
   readonly #named: readonly Float64Array[]
   readonly #label: string
-  /** Whether activations depend on time. */
+  /** Whether a driver has a delay, so that activations depend on time. */
   readonly #isDelayed: boolean
-  /** One array per face, with one activation per area of the plan. All are views of one buffer. */
+  /** One array per face, with one activation per area of the plan. All arrays are views of one buffer. */
   readonly #activations: readonly Float32Array[]
-  /** Time of the last frame of each face, milliseconds. */
+  /** Time of the last frame of each face, in milliseconds. */
   readonly #times: Float64Array
-  /** Index of the face's area for each area of the plan, or `NO_AREA`. */
+  /** For each area of the plan, the index of this area in the face, or `NO_AREA`. */
   readonly #indices: Uint16Array
-  /** Areas of the face for which `#indices` was computed. */
+  /** Value of `Face.slots` when `#indices` was computed. If the face has another value, its areas have changed. */
   #slots: Face['slots'] | null = null
   #bound: Bound<Engine> | null = null
 
   /**
-   * @param bindInputs called in the first frame, or by `bind`.
-   * @param inputs numbers set by the application.
-   * @param faces number of faces.
+   * @param bindInputs is called in the first frame, or by `bind`.
+   * @param inputs inputs that the application sets.
    * @param label name of the mesh in warnings.
    */
   constructor(
@@ -83,13 +83,13 @@ export class DriverRuntime<Engine> {
     this.#indices = new Uint16Array(areas)
     const values = valueSource(plan.inputs.value)
     this.#values = values
-    // Declared now, so that the application can read initial values before the first frame.
+    // Inputs are declared now, so that the application can read their initial values before the first frame.
     this.#named = values.names.map((name, i) => inputs.declare(name, values.initial[i]))
   }
 
-  /** Binds the inputs once, and warns of inputs that the mesh lacks. */
+  /** Binds the inputs on the first call, and warns of inputs that the mesh lacks. */
   bind(): void {
-    // Separate method: closures here would allocate every frame.
+    // `#findInputs` is a separate method, because its closures would allocate in every frame if they were here.
     this.#bound ??= this.#findInputs()
   }
 
@@ -116,7 +116,6 @@ export class DriverRuntime<Engine> {
     }
   }
 
-  /** Phase 1: reads the inputs of all faces. */
   readInputs(faces: readonly Face[], clock: { now(): number }, engine: Engine | null): void {
     this.bind()
     const { state, delayed, readers, last } = this.#bound!
@@ -134,7 +133,6 @@ export class DriverRuntime<Engine> {
     }
   }
 
-  /** Phase 2: evaluates the drivers of all faces. */
   evaluate(faces: readonly Face[]): void {
     if (faces[0].slots !== this.#slots) this.#findAreas(faces[0])
     this.bind()
@@ -157,13 +155,13 @@ export class DriverRuntime<Engine> {
     }
   }
 
-  /** Writes the resting activations of a face, by area of the plan. */
+  /** Copies the resting activations of a face to `values`, in the order of the plan's areas. */
   #rest({ resting: { values: from } }: Face, values: Float32Array): void {
     const indices = this.#indices
     for (let k = 0; k < indices.length; k++) values[k] = indices[k] === NO_AREA ? 0 : from[indices[k]]
   }
 
-  /** Phase 3: sets the faces' activations. */
+  /** Sets the activations of all faces to the results of the drivers. */
   apply(faces: readonly Face[]): void {
     this.bind()
     const { last } = this.#bound!
@@ -179,7 +177,7 @@ export class DriverRuntime<Engine> {
     }
   }
 
-  /** Resolves the areas, which may have been added or removed, and warns of missing ones. */
+  /** Computes `#indices`, and warns of missing areas. */
   #findAreas({ slots, activations }: Face): void {
     this.#slots = slots
     const { names } = activations
@@ -192,7 +190,7 @@ export class DriverRuntime<Engine> {
     this.#warn(missing)
   }
 
-  /** Lists what each driver adds to its area for one face, from the inputs of the last frame and without delays. Allocates. */
+  /** Returns, by area name, how much each driver adds to the activation. Uses the inputs of the last frame and ignores delays. Allocates. */
   explain(face: Face, instance: number): Map<string, DriverPart[]> {
     if (face.slots !== this.#slots) this.#findAreas(face)
     this.bind()
@@ -219,11 +217,11 @@ export class DriverRuntime<Engine> {
 
 interface Bound<Engine> {
   program: DriverProgram
-  /** Scratch, reused per face. */
+  /** Scratch state, reused for each face. */
   state: DriverState
-  /** State of each face if activations depend on time; otherwise empty. */
+  /** One state per face if a driver has a delay; otherwise empty. */
   delayed: readonly DriverState[]
   last: LastInputs
-  /** Readers, each with the view of the scratch state that it writes. */
+  /** Readers, and for each reader the part of the scratch state that it fills. */
   readers: readonly { reader: InputReader<Engine>; values: Float64Array }[]
 }

@@ -5,25 +5,28 @@ import type { Expression } from '../drivers/expression/expression.ts'
 
 const WHO = 'ExpressionMix'
 
-/** Easing functions, from elapsed time to progress, both 0..1. */
+/** Easing functions. They map the elapsed fraction of a transition's duration, 0..1, to its progress, 0..1. */
 export const EASINGS = {
   /** Constant speed. */
   linear: (t: number) => t,
-  /** Starts slowly: t^2. */
+  /** Starts slowly: `t * t`. */
   easeIn: (t: number) => t * t,
-  /** Ends slowly: t (2 - t). */
+  /** Ends slowly: `t * (2 - t)`. */
   easeOut: (t: number) => t * (2 - t),
-  /** Starts and ends slowly: smoothstep, t^2 (3 - 2 t). */
+  /** Starts and ends slowly (smoothstep): `t * t * (3 - 2 * t)`. */
   easeInOut: (t: number) => t * t * (3 - 2 * t),
 } as const
 
-/** One of `EASINGS`, or a function from elapsed time to progress, both 0..1. */
+/** Name of an easing in `EASINGS`, or a function that maps the elapsed fraction of the duration, 0..1, to the progress, 0..1. */
 export type Easing = keyof typeof EASINGS | ((t: number) => number)
 
-/** Name of one expression, or weights, 0..1, of several that are added. */
+/** Name of one expression, or several expressions with weights, 0..1, such as `{ happy: 0.6, surprised: 0.4 }`. */
 export type ExpressionChoice = string | Readonly<Record<string, number>>
 
-/** Interpolates between expressions over time, as in the paper. `update` allocates nothing, unless a custom easing does. */
+/**
+ * Computes transitions between facial expressions. An expression consists of blendshape weights and activations of areas. `update`
+ * allocates nothing, unless a custom easing does.
+ */
 export class ExpressionMix {
   /** Names of the blendshapes used by the expressions. */
   readonly targetNames: readonly string[]
@@ -35,19 +38,19 @@ export class ExpressionMix {
   readonly activations: Float32Array
 
   readonly #expressions: ReadonlyMap<string, Pose>
-  /** Face without an expression. */
+  /** Weights and activations of the resting face. */
   readonly #rest: Pose
   readonly #from: Pose
   readonly #to: Pose
-  /** Null for linear, because passing numbers to a function may box them. */
+  /** Null for a linear easing, to avoid a call: V8 may allocate memory for a number that is passed to a function. */
   #easing: ((t: number) => number) | null = null
   #duration = 0
-  /** Elapsed seconds, then progress, 0..1. An array, because V8 may box numbers in fields. */
+  /** Elapsed seconds at index 0, and progress, 0..1, at index 1. An array is used, because V8 may allocate memory for a number in a field. */
   readonly #now = new Float64Array(2)
 
   /**
-   * @param expressions at least one; the mix starts at the first.
-   * @param restOf returns the resting activation of an area, for expressions without the area; default 0.
+   * @param expressions at least one expression. The first is the initial state.
+   * @param restOf returns the resting activation of an area. It is used for expressions that do not set the area. Default: 0.
    * @throws FurrowError if the list is empty or an expression is malformed.
    */
   constructor(expressions: readonly Expression[], restOf: (area: string) => number = () => 0) {
@@ -90,11 +93,11 @@ export class ExpressionMix {
   }
 
   /**
-   * Starts a transition from the current values to one expression, or to a sum such as `{ happy: 0.6, surprised: 0.4 }`. Differences from
-   * the resting face are added, and the result is clamped to 0..1.
+   * Starts a transition from the current values to one or several expressions. For several, the difference of each expression from the
+   * resting face is multiplied by its weight and added to the resting face. Sums are clamped to 0..1.
    *
-   * @param choice name, or names and weights.
-   * @param seconds duration; default 0, which applies immediately.
+   * @param choice name of one expression, or names and weights of several.
+   * @param seconds duration. The default, 0, applies the choice immediately.
    * @param easing default `linear`.
    * @throws FurrowError if a name or the easing is unknown, a weight is outside 0..1, or the duration is negative, NaN or infinite.
    */
@@ -142,7 +145,7 @@ export class ExpressionMix {
    */
   update(delta: number): void {
     if (!(delta >= 0)) throw wrongArgument(WHO, 'delta', delta, 'at least 0 seconds')
-    // Short enough for V8 to inline, so that the number is not boxed.
+    // V8 inlines this method only if it is short. Inlining avoids an allocation for `delta`.
     this.#now[0] += delta
     this.#advance()
   }

@@ -7,9 +7,9 @@ import { type Easing, type ExpressionChoice, ExpressionMix } from './expression-
 import type { BindTargets, TargetBinding } from './target-binding.ts'
 import type { WrinkleFaces } from './wrinkle-faces.ts'
 
-/** Engine-independent part of `ExpressionPlayer`. */
+/** Plays transitions between facial expressions on the blendshapes and wrinkles of a face. Base class for `ExpressionPlayer` of each engine. */
 export class ExpressionPlayerBase {
-  /** Names of the expressions that the face can show. The initial one comes first. */
+  /** Names of the expressions that the face can show. The initial expression comes first. */
   readonly expressionNames: readonly string[]
   readonly #mix: ExpressionMix
   #last = 0
@@ -17,15 +17,15 @@ export class ExpressionPlayerBase {
   readonly #bindings: TargetBinding[]
 
   /**
-   * @param wrinkles wrinkles of the face; undefined if the face has none.
+   * @param wrinkles wrinkles of the face, if it has any.
    * @param bind finds blendshapes on the meshes of the face.
-   * @param expressions expressions to play, the initial one first; default: all that the face can show.
+   * @param expressions expressions to play; the first is the initial one. Default: all expressions that the face can show.
    */
   constructor(wrinkles: WrinkleFaces | undefined, bind: BindTargets, expressions?: readonly Expression[]) {
     if (wrinkles !== undefined) checkWrinkles(wrinkles, 'ExpressionPlayer', 'wrinkles of the face')
     const authored = wrinkles ? expressionsOf(wrinkles.drivers) : []
     const shown = expressions ?? expressionsOfFace(authored, wrinkles, bind)
-    // Pages may play `happy` on any avatar; an avatar without the shapes does not move.
+    // Pages may play presets such as `happy` on any avatar. An avatar without the needed blendshapes does not move.
     const others = authored.length > 0 ? authored : EXPRESSIONS
     const restOf = (area: string) => wrinkles?.getArea(area)?.activation ?? 0
     this.#mix = new ExpressionMix(expressions ?? uniqueByName([...shown, ...others]), restOf)
@@ -41,7 +41,7 @@ export class ExpressionPlayerBase {
     ])
   }
 
-  /** Whether a transition is running, so that the next frame will differ. */
+  /** Whether a transition is running. */
   get isPlaying(): boolean {
     return !this.#mix.isFinished
   }
@@ -49,8 +49,8 @@ export class ExpressionPlayerBase {
   /**
    * Starts a transition from the current face to one expression, or to a sum such as `{ happy: 0.6, surprised: 0.4 }`.
    *
-   * @param choice name, or names and weights, 0..1.
-   * @param seconds duration; default 0.25. 0 applies immediately.
+   * @param choice name of one expression, or names and weights, 0..1, of several.
+   * @param seconds duration, default 0.25. A duration of 0 applies the choice immediately.
    * @param easing default `linear`.
    * @throws FurrowError if a name or the easing is unknown, a weight is outside 0..1, or the duration is negative, NaN or infinite.
    */
@@ -64,7 +64,7 @@ export class ExpressionPlayerBase {
   /**
    * Advances the transition. Call once per frame.
    *
-   * @param delta seconds since the last frame; default: measured.
+   * @param delta seconds since the last call. By default, the time is measured.
    */
   update(delta = this.#sinceLast()): void {
     if (this.#mix.isFinished) return
@@ -72,7 +72,7 @@ export class ExpressionPlayerBase {
     this.#write()
   }
 
-  /** Returns the seconds since the last frame, or since `play`. */
+  /** Returns the seconds since this method or `play` was last called. */
   #sinceLast(): number {
     const now = performance.now()
     const delta = (now - this.#last) / 1000
@@ -81,21 +81,21 @@ export class ExpressionPlayerBase {
   }
 
   #read(): void {
+    const wrinkles = this.#wrinkles
     const { targets, areaNames, activations } = this.#mix
     for (const { influences, target, name } of this.#bindings) targets[name] = influences[target]
     for (const [index, name] of areaNames.entries()) {
-      if (!this.#wrinkles?.hasArea(name)) continue
-      // The resting activation excludes contributions of age and other inputs.
-      activations[index] = this.#wrinkles.isDriven(name)
-        ? this.#wrinkles.getActivation(name)
-        : this.#wrinkles.getRestingActivation(name)
+      if (!wrinkles?.hasArea(name)) continue
+      // Drivers such as age add to the resting activation in each frame. Starting from the sum would add them twice.
+      const isAddedTo = wrinkles.driven && !wrinkles.isDriven(name)
+      activations[index] = isAddedTo ? wrinkles.getRestingActivation(name) : wrinkles.getActivation(name)
     }
   }
 
   #write(): void {
     const { targets, areaNames, activations } = this.#mix
     for (const { influences, target, name } of this.#bindings) influences[target] = targets[name]
-    // A player may outlive its wrinkles and still moves the blendshapes.
+    // The player moves blendshapes even after its wrinkles were disposed.
     if (this.#wrinkles?.isDisposed === false) this.#wrinkles.setActivations(areaNames, activations)
   }
 }

@@ -10,22 +10,22 @@ import { type BindInputs, DriverRuntime } from './driver-runtime.ts'
 import { Face } from './face.ts'
 import { checkInstance, NamedInputs } from './named-inputs.ts'
 
-/** A source of time. */
+/** Source of the current time. */
 export interface Clock {
-  /** Milliseconds since any fixed moment. */
+  /** Returns the milliseconds since a fixed moment. */
   now(): number
 }
 
 /**
- * Faces of one mesh: one per instance, or the mesh itself. Holds areas, activations, inputs and drivers, independent of the engine.
- * `WrinkleFaces` is its public interface.
+ * Wrinkle state of one mesh, independent of the engine. A mesh with instances has one face per instance; other meshes have one face.
+ * `WrinkleFaces` is the public interface of this class, and documents the methods and their errors.
  *
  * @typeParam Engine object that draws a frame, e.g. a renderer.
  */
 export abstract class FaceGroup<Engine = unknown> {
-  /** Whether drivers activate their areas. */
+  /** Whether drivers run. */
   driven = true
-  /** Mesh that supplies the inputs. */
+  /** Mesh whose blendshapes, joints and tension are inputs of drivers. */
   abstract readonly mesh: { readonly name: string }
   readonly inputs: NamedInputs
   readonly faces: readonly Face[]
@@ -35,14 +35,14 @@ export abstract class FaceGroup<Engine = unknown> {
   #isDisposed = false
   #runtime: DriverRuntime<Engine> | null = null
   #expressions: readonly Expression[] = []
-  /** Expressions of a VRM, as blendshapes. */
+  /** Expressions of a VRM avatar, converted to blendshape weights. */
   protected vrmExpressions: readonly Expression[] = []
   readonly #disposers: (() => void)[] = []
   readonly #releasers: (() => void)[] = []
 
   /**
    * @param count number of faces.
-   * @param slots slots of the areas, in the same order.
+   * @param slots locations of the areas' weights, in the order of `areas`.
    */
   constructor(count: number, areas: readonly Area<ArraySlice>[], slots: AreaSlots) {
     this.areas = [...areas]
@@ -50,12 +50,10 @@ export abstract class FaceGroup<Engine = unknown> {
     this.inputs = new NamedInputs(count, (method) => this.checkInUse(method))
   }
 
-  /** Clock for drivers with a delay. */
   get clock(): Clock {
     return this.#clock
   }
 
-  /** @throws FurrowError if the clock has no method `now`. */
   set clock(clock: Clock) {
     if (typeof clock?.now !== 'function') {
       throw wrongArgument('Wrinkles.clock', 'clock', clock, 'an object with now()')
@@ -79,7 +77,6 @@ export abstract class FaceGroup<Engine = unknown> {
     return this.faces[0].activations.has(name)
   }
 
-  /** @throws FurrowError if the area is unknown, the value is not a number, or the instance does not exist. */
   setActivation(area: string, value: number, instance = 0): void {
     this.checkInUse('setActivation')
     const face = this.#faceOf(instance, 'setActivation')
@@ -87,7 +84,6 @@ export abstract class FaceGroup<Engine = unknown> {
     else face.setResting(area, value)
   }
 
-  /** @throws FurrowError if there are fewer values than names, or the instance does not exist. */
   setActivations(names: readonly string[], values: Float32Array, instance = 0): void {
     this.checkInUse('setActivations')
     if (!Array.isArray(names) || !(values?.length >= names.length)) {
@@ -103,23 +99,19 @@ export abstract class FaceGroup<Engine = unknown> {
     resting.setNamed(names, values, this.plan?.movedAreas)
   }
 
-  /** @throws FurrowError if the area is unknown or the instance does not exist. */
   getActivation(area: string, instance = 0): number {
     return this.#faceOf(instance, 'getActivation').activations.get(area)
   }
 
-  /** @throws FurrowError if the area is unknown, the value is not a number, or the instance does not exist. */
   setRestingActivation(area: string, value: number, instance = 0): void {
     this.checkInUse('setRestingActivation')
     this.#faceOf(instance, 'setRestingActivation').setResting(area, value)
   }
 
-  /** @throws FurrowError if the area is unknown or the instance does not exist. */
   getRestingActivation(area: string, instance = 0): number {
     return this.#faceOf(instance, 'getRestingActivation').resting.get(area)
   }
 
-  /** @throws FurrowError when there is no such instance, or the wrinkles were disposed of. */
   explain(instance = 0): Explanation[] {
     this.checkInUse('explain')
     const face = this.#faceOf(instance, 'explain')
@@ -151,8 +143,9 @@ export abstract class FaceGroup<Engine = unknown> {
   /**
    * Replaces the drivers.
    *
-   * @param bindInputs binds the inputs to the mesh.
-   * @param isLazy whether inputs are bound in the first frame instead of now.
+   * @param plan compiled drivers.
+   * @param bindInputs creates readers for the inputs of the plan.
+   * @param isLazy whether to bind inputs in the next frame instead of now.
    */
   setPlan(plan: DriverPlan, bindInputs: BindInputs<Engine>, isLazy: boolean): void {
     const runtime = new DriverRuntime(plan, bindInputs, this.inputs, this.faces.length, this.mesh.name)
@@ -163,17 +156,17 @@ export abstract class FaceGroup<Engine = unknown> {
     this.#expressions = expressionsOf(plan.drivers)
   }
 
-  /** Phase 1 of a frame: reads inputs, see `Frame`. */
+  /** Reads the inputs of drivers: phase 1 of a frame. `Frame` documents the phases. */
   readInputs(engine: Engine | null): void {
     if (this.driven) this.#runtime?.readInputs(this.faces, this.clock, engine)
   }
 
-  /** Phase 2 of a frame. */
+  /** Evaluates the drivers: phase 2 of a frame. */
   evaluateDrivers(): void {
     if (this.driven) this.#runtime?.evaluate(this.faces)
   }
 
-  /** Phase 3 of a frame. */
+  /** Sets the activations: phase 3 of a frame. */
   applyActivations(): void {
     if (this.driven) this.#runtime?.apply(this.faces)
   }
@@ -185,7 +178,7 @@ export abstract class FaceGroup<Engine = unknown> {
     this.#disposers.push(dispose)
   }
 
-  /** Registers a function that frees GPU objects of driver inputs. Reading the inputs later creates the objects again. */
+  /** Registers a function that frees the GPU objects that read inputs. The next frame creates these objects again. */
   onRelease(release: () => void): void {
     this.#releasers.push(release)
   }

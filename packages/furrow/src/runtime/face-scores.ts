@@ -2,7 +2,7 @@ import { wrongArgument } from '../core/argument.ts'
 import { formatProblem } from '../core/error.ts'
 import type { BindTargets, TargetBinding } from './target-binding.ts'
 
-/** Blendshape and score, as in the results of MediaPipe's face landmarker. */
+/** Score of one blendshape, as in the results of MediaPipe's face landmarker. */
 export interface FaceScore {
   /** Name of the blendshape. */
   categoryName: string
@@ -10,10 +10,10 @@ export interface FaceScore {
   score: number
 }
 
-/** MediaPipe's first category: the score of a neutral face. */
+/** Name of MediaPipe's first category. It is not a blendshape: its score tells how neutral the face is. */
 const NEUTRAL = '_neutral'
 
-/** Engine-independent part of `FaceScores`. */
+/** Copies blendshape scores from MediaPipe's face landmarker to a face. Base class for `FaceScores` of each engine. */
 export class FaceScoresBase {
   readonly #bind: BindTargets
   #names: string[] = []
@@ -25,10 +25,10 @@ export class FaceScoresBase {
   }
 
   /**
-   * Sets the listed blendshapes; others are unchanged. `_neutral` is ignored, unknown names are skipped with one warning, and NaN counts
-   * as 0. Allocates nothing while the names stay the same.
+   * Sets the weights of the listed blendshapes. `_neutral` is ignored. Unknown names are skipped with one warning. NaN counts as 0.
+   * Allocates nothing while the names stay the same.
    *
-   * @throws FurrowError if no mesh of the face has morph targets, or the scores are not a list of names and numbers.
+   * @throws FurrowError if no mesh of the face has morph targets, or if `scores` is not an array of names and scores.
    */
   set(scores: readonly FaceScore[]): void {
     if (!Array.isArray(scores)) throw wrongArgument('FaceScores', 'scores', scores, 'an array')

@@ -1,15 +1,15 @@
 import { Activations } from './activations.ts'
 import type { AreaSlots } from './area-slots.ts'
 
-/** Activations of one face: a mesh or one of its instances. */
+/** Activations of the areas of one face. A face is a mesh or one instance of a mesh. */
 export class Face {
   slots: AreaSlots
   readonly activations: Activations
-  /** Resting activations, to which drivers add. */
+  /** Activations of the resting face. Drivers add to these activations. */
   readonly resting: Activations
 
   /**
-   * @param slots slots of the areas, in the same order.
+   * @param slots locations of the areas' weights, in the order of `areas`.
    * @param areas areas with resting activations.
    */
   constructor(slots: AreaSlots, areas: readonly { name: string; activation?: number }[]) {
@@ -19,13 +19,12 @@ export class Face {
     for (const { name, activation } of areas) this.setResting(name, activation ?? 0)
   }
 
-  /** Sets a resting activation. Also sets the activation, until drivers run. */
+  /** Sets the resting activation of an area. Also sets its activation, which drivers may change in the next frame. */
   setResting(area: string, value: number): void {
     this.resting.set(area, value)
     this.activations.set(area, value)
   }
 
-  /** Changes the list of areas. Existing names keep their activations. */
   rebind(slots: AreaSlots, areas: readonly { name: string }[]): void {
     this.slots = slots
     this.activations.rebind(areas)

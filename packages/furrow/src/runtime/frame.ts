@@ -1,6 +1,6 @@
-/** Faces of one mesh in the frame loop. A phase reads results of earlier phases and never calls them. */
+/** A member of the frame loop: the faces of one mesh. Each method runs one phase, and never calls an earlier phase. */
 export interface FrameMember<Engine> {
-  /** Updates materials and other drawn state; called between frames when another member is added. */
+  /** Updates materials and other state for drawing. Called between frames, when another member is added. */
   refresh?(): void
   /** Phase 1: reads blendshapes, joints, tension and the application's inputs. */
   readInputs(engine: Engine | null): void
@@ -9,71 +9,73 @@ export interface FrameMember<Engine> {
   /** Phase 3: sets the activations of the faces. */
   applyActivations(): void
   /**
-   * Phase 4: reports changed influence maps to the atlas.
+   * Phase 4: tells the atlas which influence maps have changed.
    *
-   * @returns whether the influence maps are used in this frame.
+   * @returns whether this frame uses the member's influence maps.
    */
   collectInfluence(engine: Engine): boolean
-  /** Phase 5: draws composed normals from the influence maps. */
+  /** Phase 5: draws normal maps that include the wrinkles, if the member is in mode `composed`. */
   composeNormals(engine: Engine): void
 }
 
-/** Draws the influence maps collected by members. */
+/** Texture into which the influence maps of members are drawn. */
 export interface InfluenceTarget<Engine> {
   draw(engine: Engine): void
 }
 
-/** A member and its latest frame numbers. */
+/** A member, and the numbers of the frames in which it was last updated. */
 export interface FrameEntry<Engine> {
   readonly member: FrameMember<Engine>
-  /** Whether inputs may change after `beginImage`, so that the phases wait until a member is drawn. */
+  /** Whether inputs may change after `beginImage`. If so, the phases run when the first member is drawn. */
   isLate: boolean
-  /** Frame of the last draw. */
+  /** Frame in which the member was last drawn. */
   seen: number
   /** Frame in which the phases last ran. */
   updated: number
-  /** Frame in which influence was last collected. */
+  /** Frame in which `collectInfluence` last returned true. */
   collected: number
 }
 
-/** Current or latest frame of an engine. */
+/** The latest frame of one engine. */
 interface Drawn {
   number: number
-  /** Frame whose members are expected again: the last one with a drawn member, of the same scene if known. */
+  /** Number of an earlier frame. Members that were drawn in it are expected to be drawn again. */
   last: number
-  /** Render count at the last draw. */
+  /** Render count of the engine when a member was last drawn. */
   renders: number
-  /** Whether the image has begun but no member has been drawn. */
+  /** Whether `beginImage` has run but no member has been drawn since. */
   isEarly: boolean
 }
 
 /**
- * Runs the phases of frames: inputs -> drivers -> activations -> influence -> draw, each for all faces before the next.
+ * Runs the phases of each frame: reading inputs, evaluating drivers, applying activations, drawing influence maps, composing normals.
+ * Each phase finishes for all members before the next phase begins. A member is the set of faces of one mesh. An influence map stores how
+ * visible each wrinkle layer is at each point of the skin.
  *
- * The engine calls `begin` before it draws a member. The first call in a frame runs the phases of all members that were drawn in the last
- * frame or never ran; `beginImage` does this before anything is drawn. Members that come into view later run their phases then. Each
- * engine on a page has its own frames.
+ * The engine calls `begin` before it draws a member. The first call in a frame runs the phases of all members that were drawn in the
+ * previous frame, and of new members. The phases of other members run when these members are drawn. An engine may call `beginImage` to
+ * run the phases before anything is drawn. Each engine (renderer) of a page has its own frames.
  *
  * @typeParam Engine object that draws, e.g. a renderer.
- * @typeParam Target destination of influence maps.
+ * @typeParam Target texture into which influence maps are drawn.
  */
 export class Frame<Engine extends object, Target extends InfluenceTarget<Engine> = InfluenceTarget<Engine>> {
   readonly targets: Target[] = []
   readonly #entries: FrameEntry<Engine>[] = []
   readonly #renderCount: (engine: Engine) => number
-  /** Members whose phases run: the first `#count` items. The array is never emptied, because that would allocate. */
+  /** The phases of the first `#count` items run. The array is not emptied after a frame, because filling it again would allocate. */
   readonly #due: FrameEntry<Engine>[] = []
   #count = 0
-  /** Number of the latest frame of any engine. */
+  /** Number of the latest frame, counted over all engines. */
   #number = 0
   readonly #drawn = new WeakMap<Engine, Drawn>()
 
-  /** @param renderCount returns a number that changes with every image of the engine. */
+  /** @param renderCount returns a number that changes with every image that the engine draws. */
   constructor(renderCount: (engine: Engine) => number) {
     this.#renderCount = renderCount
   }
 
-  /** Adds a member. Pass the returned entry to the other methods. */
+  /** Adds a member. The returned entry is an argument of the other methods. */
   add(member: FrameMember<Engine>): FrameEntry<Engine> {
     for (const other of this.#entries) other.member.refresh?.()
     const entry = { member, isLate: false, seen: -1, updated: -1, collected: -1 }
@@ -81,18 +83,17 @@ export class Frame<Engine extends object, Target extends InfluenceTarget<Engine>
     return entry
   }
 
-  /** Removes a member. */
   remove(entry: FrameEntry<Engine>): void {
     this.#entries.splice(this.#entries.indexOf(entry), 1)
     this.#due.length = 0
   }
 
   /**
-   * Runs the phases of expected members. Call before an image is drawn, so that drawing influence does not interrupt it. Other members run
-   * their phases when the first member is drawn.
+   * Runs the phases of all members that were drawn in frame `last`, and of new members. Call this method before the engine draws an
+   * image, so that influence maps are not drawn in the middle of the image.
    *
-   * @param last frame whose members are expected: that of the last image of the scene.
-   * @param isCounted whether the render count already includes the image.
+   * @param last number of the frame in which the scene was last drawn.
+   * @param isCounted whether the render count already includes the new image.
    */
   beginImage(engine: Engine, last: number, isCounted: boolean): void {
     this.#count = 0
@@ -105,7 +106,7 @@ export class Frame<Engine extends object, Target extends InfluenceTarget<Engine>
     drawn.renders = this.#renderCount(engine) + Number(!isCounted)
   }
 
-  /** Runs phases that are due. Call before a member is drawn. */
+  /** Runs the phases that have not run in this frame. Call this method before a member is drawn. */
   begin(entry: FrameEntry<Engine>, engine: Engine): void {
     this.#count = 0
     const drawn = this.#drawnBy(engine)
@@ -120,7 +121,7 @@ export class Frame<Engine extends object, Target extends InfluenceTarget<Engine>
     drawn.renders = this.#renderCount(engine)
   }
 
-  /** Runs the phases of one member now. Influence is drawn only if an engine is given. */
+  /** Runs the phases of one member now. Influence maps and normals are drawn only if an engine is given. */
   update(entry: FrameEntry<Engine>, engine: Engine | null): void {
     this.#count = 0
     this.#due[this.#count++] = entry
@@ -149,7 +150,7 @@ export class Frame<Engine extends object, Target extends InfluenceTarget<Engine>
     for (let i = 0; i < count; i++) due[i].member.composeNormals(engine)
   }
 
-  /** Schedules members that were drawn in frame `last` or never ran. */
+  /** Schedules members that were drawn in frame `last`, and new members. */
   #scheduleOf(last: number, number: number, isEarly: boolean): void {
     for (let i = 0; i < this.#entries.length; i++) {
       const entry = this.#entries[i]
@@ -167,7 +168,7 @@ export class Frame<Engine extends object, Target extends InfluenceTarget<Engine>
     if (entry.member.collectInfluence(engine)) entry.collected = number
   }
 
-  /** Collects and draws influence that was unused when the member's phases ran. */
+  /** Draws the member's influence maps if they are used now, but were not used when the member's phases ran. */
   #collectLate(entry: FrameEntry<Engine>, engine: Engine, number: number): void {
     this.#collect(entry, engine, number)
     if (entry.collected !== number) return

@@ -1,22 +1,19 @@
 import type { Face } from './face.ts'
 
 /**
- * Inputs from which the activations of faces were last computed; a face with unchanged inputs is skipped. Stored in a few long arrays,
- * because the CPU prefetches sequential reads of thousands of faces.
+ * Stores the inputs from which the activations of each face were last computed. Faces with unchanged inputs can then be skipped. The values
+ * of all faces are in a few long arrays, because CPUs prefetch sequential reads.
  */
 export class LastInputs {
   /** Inputs of all faces, `#count` per face. */
   readonly #values: Float64Array
   readonly #count: number
-  /** By face: whether activations must be computed. */
+  /** For each face, 1 if activations must be computed, otherwise 0. */
   readonly isDue: Uint8Array
   readonly #resting: Float64Array
   readonly #activations: Float64Array
 
-  /**
-   * @param faces number of faces.
-   * @param count number of inputs per face.
-   */
+  /** @param count number of inputs per face. */
   constructor(faces: number, count: number) {
     this.#values = new Float64Array(faces * count)
     this.#count = count
@@ -25,7 +22,7 @@ export class LastInputs {
     this.#activations = new Float64Array(faces)
   }
 
-  /** Stores a face's inputs and detects changes. NaN always counts as a change. */
+  /** Stores the inputs of a face, and sets `isDue` if they have changed. NaN always counts as a change. */
   take(face: number, values: Float64Array): void {
     const start = face * this.#count
     for (let i = 0; i < values.length; i++) {
@@ -36,20 +33,20 @@ export class LastInputs {
     }
   }
 
-  /** Writes the inputs of a face. */
+  /** Copies the stored inputs of a face to `values`. */
   get(face: number, values: Float64Array): void {
     const start = face * this.#count
     for (let i = 0; i < values.length; i++) values[i] = this.#values[start + i]
   }
 
-  /** Whether a face must be computed. Detects changes of areas and activations by the application. */
+  /** Whether the activations of a face must be computed. Reasons are changed inputs, areas or activations. */
   check(face: number, { resting, activations }: Face): boolean {
     if (resting.version !== this.#resting[face] || activations.version !== this.#activations[face])
       this.isDue[face] = 1
     return this.isDue[face] === 1
   }
 
-  /** Marks a face as computed. */
+  /** Marks the activations of a face as computed. */
   settle(face: number, { resting, activations }: Face): void {
     this.#resting[face] = resting.version
     this.#activations[face] = activations.version

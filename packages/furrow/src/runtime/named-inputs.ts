@@ -2,10 +2,10 @@ import { wrongArgument } from '../core/argument.ts'
 import { FurrowError, formatProblem } from '../core/error.ts'
 import { didYouMean } from '../core/nearest-name.ts'
 
-/** Custom inputs: numbers set by the application for `age` and `input` drivers, such as stress or cold. Each instance has its own values. */
+/** Numbers, such as age or stress, that an application sets for `age` and `input` drivers. Each instance has separate values. */
 export class NamedInputs {
   readonly #values = new Map<string, Float64Array>()
-  /** Names that drivers read. */
+  /** Names of inputs that drivers read. */
   readonly #read = new Set<string>()
   readonly #warned = new Set<string>()
   readonly #faces: number
@@ -20,15 +20,15 @@ export class NamedInputs {
     this.#checkInUse = checkInUse
   }
 
-  /** Names read by a driver or set by the application. */
+  /** Names of all inputs that a driver reads or the application has set. */
   get names(): string[] {
     return [...this.#values.keys()]
   }
 
   /**
-   * Sets an input. Warns once if drivers exist but none reads the name.
+   * Sets an input. Logs a warning if drivers read other inputs but none reads this one.
    *
-   * @param value value in the unit of the drivers' curves, e.g. years.
+   * @param value number in the unit that the drivers expect, e.g. years.
    * @param instance index of an instance; default: all instances.
    * @throws FurrowError if the value is NaN or infinite, the instance does not exist, or the wrinkles have been disposed.
    */
@@ -52,7 +52,8 @@ export class NamedInputs {
   }
 
   /**
-   * Returns the value of an input: the last set value, otherwise the drivers' initial value (`age`: default 20), otherwise 0.
+   * Returns the value of an input. If the application has not set the input, returns the initial value in the driver (20 for `age` by
+   * default), or 0 if no driver reads the input.
    *
    * @param instance index of an instance; default 0.
    * @throws FurrowError if the instance does not exist.
@@ -63,10 +64,10 @@ export class NamedInputs {
   }
 
   /**
-   * Creates an input that a driver reads, if missing.
+   * Registers an input that a driver reads.
    *
    * @param initial value until the application sets the input.
-   * @returns current value of each instance; always the same array.
+   * @returns current value of each instance. Later calls with this name return the same array.
    * @internal
    */
   declare(name: string, initial: number): Float64Array {
@@ -98,7 +99,7 @@ export class NamedInputs {
   }
 }
 
-/** @throws FurrowError unless `instance` is an index below `count`. */
+/** @throws FurrowError unless `instance` is an integer from 0 to `count - 1`. */
 export function checkInstance(instance: number, count: number, who: string): void {
   if (Number.isInteger(instance) && instance >= 0 && instance < count) return
   throw new FurrowError({

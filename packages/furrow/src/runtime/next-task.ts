@@ -1,4 +1,4 @@
-/** Yields to the page. Uses a message, because browsers delay nested timers and timers of background pages. */
+/** Lets the browser run other tasks, such as drawing. Posts a message instead of setting a timer, because browsers delay timers. */
 export function nextTask(): Promise<void> {
   return new Promise((resolve) => {
     const { port1, port2 } = new MessageChannel()

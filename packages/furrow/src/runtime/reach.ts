@@ -1,7 +1,10 @@
 import { type Bounds, widen } from '../core/bounds.ts'
 import type { AreaSlots } from './area-slots.ts'
 
-/** A rectangle of texture coordinates: u0, v0, u1, v1 as x, y, z, w, compatible with the vector classes of engines. */
+/**
+ * Rectangle in texture coordinates. It contains all areas of influence with an activation above 0. Its edges u0, v0, u1 and v1 are stored
+ * as x, y, z and w, so that the vector classes of engines are compatible.
+ */
 export interface Reach {
   x: number
   y: number
@@ -9,17 +12,17 @@ export interface Reach {
   w: number
 }
 
-/** Larger than any texture coordinate. */
+/** A number larger than any texture coordinate. */
 const FAR = 1e9
 
-/** Scratch, so that frames allocate nothing. */
+/** Scratch rectangle, reused so that frames allocate nothing. */
 const span: Bounds = { x0: 0, y0: 0, x1: 0, y1: 0 }
 
 /**
- * Computes the bounds of all active areas in texture coordinates; empty if no area is active. Skin outside can skip sampling the
- * influence map.
+ * Computes the rectangle that contains all active areas. It is empty if no area is active. Shaders need to sample influences only inside
+ * this rectangle.
  *
- * @param values activations, in the order of the areas.
+ * @param values activations, in the order of the slots.
  * @param reach receives the rectangle.
  */
 export function findReach({ slots, width, height }: AreaSlots, values: Float32Array, reach: Reach): void {
@@ -29,8 +32,8 @@ export function findReach({ slots, width, height }: AreaSlots, values: Float32Ar
   span.y1 = 0
   for (let i = 0; i < slots.length; i++) if (values[i] !== 0) widen(span, slots[i].bounds)
   const { x0, y0, x1, y1 } = span
-  // Bilinear filtering spreads a texel to the centres of its neighbours; clamping extends border texels infinitely.
-  // Statements, because V8 allocates numbers in conditional expressions and in a shared function.
+  // Bilinear filtering spreads a texel to the centres of its neighbours. Clamping extends texels at the border of the map infinitely.
+  // V8 would allocate numbers for conditional expressions or function calls here, so the code repeats if statements.
   if (x0 < 1) reach.x = -FAR
   else reach.x = (x0 - 0.5) / width
   if (y0 < 1) reach.y = -FAR
@@ -41,7 +44,7 @@ export function findReach({ slots, width, height }: AreaSlots, values: Float32Ar
   else reach.w = (y1 + 0.5) / height
 }
 
-/** Sets a rectangle that contains everything, for several faces together. */
+/** Extends a rectangle to contain all texture coordinates. */
 export function reachAll(reach: Reach): void {
   reach.x = -FAR
   reach.y = -FAR
@@ -49,7 +52,6 @@ export function reachAll(reach: Reach): void {
   reach.w = FAR
 }
 
-/** Sets an empty rectangle. */
 export function reachNothing(reach: Reach): void {
   reach.x = 1
   reach.y = 1

@@ -5,28 +5,29 @@ import { TensionMeasurement } from '../drivers/tension/measure.ts'
 import { coverage, type SampledMesh, sampleCovered } from '../drivers/tension/samples.ts'
 import type { InputReader } from './driver-runtime.ts'
 
-/** Triangles per area. Each needs three vertices deformed on the CPU. */
+/** Number of sampled triangles per area. */
 const SAMPLES = 16
 
-/** Surface on which tension is measured. */
+/** Surface on which tension is measured. Tension is the stretch or compression of an area's skin relative to the rest pose. */
 export interface TensionSurface {
-  /** Mesh at rest. */
+  /** Mesh in the rest pose. */
   sampled: SampledMesh
-  /** Unique pairs of area and direction. */
+  /** Pairs of area and direction that inputs measure, without duplicates. */
   measured: readonly MeasuredArea[]
 }
 
 export interface MeasuredArea {
   area: string
   direction?: InputOf<'tension'>['direction']
-  /** Coverage of each triangle, see `coverage`; empty if unknown. */
+  /** For each triangle, how much the area covers it; see `coverage`. Empty if unknown. */
   covered: Float64Array
 }
 
 /**
- * Prepares a surface for inputs. Coverage of areas in compressed textures is unknown.
+ * Collects the areas whose tension is measured, and computes how much each of these areas covers each triangle. For areas in compressed
+ * textures, `covered` is empty.
  *
- * @param areaOf returns the area with a name.
+ * @param areaOf returns the area with a name, if there is one.
  */
 export function tensionSurface(
   sampled: SampledMesh,
@@ -46,7 +47,7 @@ export function tensionSurface(
   }
 }
 
-/** Returns the index of an input's area and direction. */
+/** Returns the index of the item in `measured` that has the area and direction of an input. */
 export function indexIn(measured: readonly Measured[], { area, direction }: Measured): number {
   return measured.findIndex((own) => own.area === area && own.direction?.join() === direction?.join())
 }
@@ -54,9 +55,9 @@ export function indexIn(measured: readonly Measured[], { area, direction }: Meas
 type Measured = Pick<MeasuredArea, 'area' | 'direction'>
 
 /**
- * Measures a few triangles of each area on the CPU.
+ * Creates a reader that measures tension on the CPU, on `SAMPLES` triangles of each area.
  *
- * @param read writes the current position of a vertex at an offset.
+ * @param read writes the deformed position of a vertex to three items of `positions`, starting at index `offset`.
  */
 export function sampledTension(
   { sampled, measured }: TensionSurface,

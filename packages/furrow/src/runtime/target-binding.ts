@@ -1,19 +1,17 @@
 import { FurrowError } from '../core/error.ts'
 
-/** A morph target of one mesh and the name that matched it. */
+/** A morph target of one mesh, found by a name. */
 export interface TargetBinding {
-  /** Weights of the mesh's targets by index; written. */
+  /** Weights of all targets of the mesh, by index. Callers write the weight at index `target`. */
   influences: { [target: number]: number }
-  /** Index of the target. */
   target: number
-  /** Index of the name in the list. */
+  /** Index of the name in the argument of `BindTargets`. */
   name: number
 }
 
 /** Finds morph targets by name on all meshes of a face. */
 export type BindTargets = (names: readonly string[]) => TargetBinding[]
 
-/** Creates the error for a face without morph targets; `face` is its name. */
 export function noTargets(who: string, face: string): FurrowError {
   return new FurrowError({
     who,

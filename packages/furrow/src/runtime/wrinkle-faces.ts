@@ -8,7 +8,7 @@ import type { NamedInputs } from './named-inputs.ts'
 
 const groups = new WeakMap<WrinkleFaces, FaceGroup<never>>()
 
-/** Returns the internal faces of wrinkles, for code of the library. */
+/** Returns the internal state of wrinkles, for code in this library. */
 export function groupOf(wrinkles: WrinkleFaces): FaceGroup<never> {
   const group = groups.get(wrinkles)
   if (group) return group
@@ -19,13 +19,13 @@ export function groupOf(wrinkles: WrinkleFaces): FaceGroup<never> {
   })
 }
 
-/** Wrinkles of a mesh or of each of its instances, independent of the engine: areas, activations, inputs and drivers. */
+/** Wrinkles of one mesh or of each of its instances: areas, activations, inputs and drivers. Base class for `Wrinkles` of each engine. */
 export abstract class WrinkleFaces {
   protected constructor(group: FaceGroup<never>) {
     groups.set(this, group)
   }
 
-  /** Whether drivers activate their areas. Set to false to activate areas yourself. */
+  /** Whether drivers run. Set this to false to set all activations yourself. */
   get driven(): boolean {
     return groupOf(this).driven
   }
@@ -34,12 +34,12 @@ export abstract class WrinkleFaces {
     groupOf(this).driven = driven
   }
 
-  /** Custom inputs of drivers, e.g. `inputs.set('age', 40)`. */
+  /** Inputs that the application sets for drivers, e.g. `inputs.set('age', 40)`. */
   get inputs(): NamedInputs {
     return groupOf(this).inputs
   }
 
-  /** Clock for drivers with a delay. Replace it if frames are not drawn in real time. */
+  /** Clock that drivers with a delay use. Replace it if frames are not drawn in real time. */
   get clock(): Clock {
     return groupOf(this).clock
   }
@@ -49,12 +49,12 @@ export abstract class WrinkleFaces {
     groupOf(this).clock = clock
   }
 
-  /** Whether `dispose` was called. Setters then throw. */
+  /** Whether `dispose` was called. Afterwards, methods that change the wrinkles throw. */
   get isDisposed(): boolean {
     return groupOf(this).isDisposed
   }
 
-  /** Number of faces: the number of instances, or 1 for meshes without instances. */
+  /** Number of instances, or 1 for meshes without instances. */
   get faceCount(): number {
     return groupOf(this).faces.length
   }
@@ -64,7 +64,7 @@ export abstract class WrinkleFaces {
     return groupOf(this).areaNames
   }
 
-  /** Returns the area with the name; undefined if there is none. */
+  /** Returns the area with the name, or undefined if there is none. */
   getArea(name: string): Area<ArraySlice> | undefined {
     return groupOf(this).getArea(name)
   }
@@ -75,10 +75,10 @@ export abstract class WrinkleFaces {
   }
 
   /**
-   * Sets the activation of an area. On areas driven by motion (`isDriven`), the value lasts until the next frame. On others it stays, and
-   * custom inputs such as age add to it.
+   * Sets the activation of an area. If blendshapes, joints, tension or other areas drive the area, the value lasts until the drivers run again.
+   * Otherwise the value becomes the resting activation, to which inputs such as age add.
    *
-   * @param value 0..1; clamped, with one warning.
+   * @param value 0..1. Other values are clamped, with one warning.
    * @param instance index of an instance; default 0.
    * @throws FurrowError if the area is unknown, the value is not a number, the instance does not exist, or the wrinkles have been disposed.
    */
@@ -87,9 +87,9 @@ export abstract class WrinkleFaces {
   }
 
   /**
-   * Sets the activations of several areas, as `setActivation` does. Ignores unknown names, and allocates nothing.
+   * Sets the activations of several areas, as `setActivation` does. Ignores unknown names. Allocates nothing.
    *
-   * @param values 0..1, in the order of the names; clamped.
+   * @param values activations in the order of the names. Values outside 0..1 are clamped.
    * @param instance index of an instance; default 0.
    * @throws FurrowError if there are fewer values than names, the instance does not exist, or the wrinkles have been disposed.
    */
@@ -98,7 +98,7 @@ export abstract class WrinkleFaces {
   }
 
   /**
-   * Returns the activation of an area, 0..1, from the last frame or `setActivation`.
+   * Returns the current activation of an area, 0..1.
    *
    * @throws FurrowError if the area is unknown or the instance does not exist.
    */
@@ -107,9 +107,9 @@ export abstract class WrinkleFaces {
   }
 
   /**
-   * Sets the resting activation of an area, to which drivers add. Animations in files set it too.
+   * Sets the resting activation of an area. Drivers add to this activation. Animations in glTF files set it too.
    *
-   * @param value 0..1; clamped, with one warning.
+   * @param value 0..1. Other values are clamped, with one warning.
    * @throws FurrowError if the area is unknown, the value is not a number, the instance does not exist, or the wrinkles have been disposed.
    */
   setRestingActivation(area: string, value: number, instance = 0): void {
@@ -126,41 +126,41 @@ export abstract class WrinkleFaces {
   }
 
   /**
-   * Whether blendshapes, joints, tension or other areas currently drive an area, so that `setActivation` lasts only until the next frame.
-   * False for unknown names.
+   * Whether blendshapes, joints, tension or other areas drive an area. If so, values of `setActivation` last until the next frame. Returns
+   * false for unknown names and while `driven` is false.
    */
   isDriven(area: string): boolean {
     return groupOf(this).isDriven(area)
   }
 
   /**
-   * Explains the activation of each area, as of the last frame: how much each driver adds, and how much each of its inputs. For panels and
-   * debugging; it allocates.
+   * Explains the activation of each area in the last frame: how much each driver added, and how much each input of the driver
+   * contributed. For inspector panels and debugging. Allocates.
    *
-   * @param instance index of an instance, 0 by default.
-   * @returns one explanation per area, in the order of `areaNames`; without parts while `driven` is false.
-   * @throws FurrowError when there is no such instance, or the wrinkles were disposed of.
+   * @param instance index of an instance; default 0.
+   * @returns one explanation per area, in the order of `areaNames`. `parts` is empty while `driven` is false.
+   * @throws FurrowError if the instance does not exist, or the wrinkles have been disposed.
    */
   explain(instance = 0): Explanation[] {
     return groupOf(this).explain(instance)
   }
 
-  /** Active drivers in the order in which they were added, see `addDrivers` and `setDrivers`. */
+  /** Drivers in the order in which `addDrivers` or `setDrivers` received them. */
   get drivers(): readonly WrinkleDriver[] {
     return groupOf(this).drivers
   }
 
-  /** Expressions of the file: expression drivers, then expressions of a VRM. */
+  /** Facial expressions in the file: first those of expression drivers, then those of a VRM avatar. */
   get expressions(): readonly Expression[] {
     return groupOf(this).expressions
   }
 
-  /** Registers a function that `dispose` calls. */
+  /** Registers a function that `dispose` will call. */
   onDispose(dispose: () => void): void {
     groupOf(this).onDispose(dispose)
   }
 
-  /** Restores the material, and frees resources that no other face uses. */
+  /** Removes the wrinkles: restores the material, and frees resources that no other face uses. */
   dispose(): void {
     groupOf(this).dispose()
   }

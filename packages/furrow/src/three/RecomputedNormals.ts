@@ -3,20 +3,20 @@ import { DeformedNormals } from '../math/deformed-normals.ts'
 import { checkNormals } from './mesh/check-mesh.ts'
 import { coordinates, copyNumbers, targetOffsets, trianglesOf } from './sources/geometry-arrays.ts'
 
-/** Vertices moved by a blendshape. */
+/** Displacement by a blendshape. */
 interface Offsets {
+  /** Indices of the vertices that the blendshape moves. */
   vertices: Uint32Array
-  /** Packed xyz displacement per vertex. */
+  /** Packed xyz displacement of each of these vertices. */
   values: Float32Array
 }
 
 /**
- * Recomputes a mesh's normals and tangents on the CPU as its blendshapes deform it. If blendshapes have no normals, three.js shades the
- * deformed mesh with the normals of the rest pose; it never deforms tangents. Skinning is applied afterwards.
+ * Recomputes a mesh's normals and tangents on the CPU as its blendshapes deform the mesh. three.js never deforms tangents. If blendshapes
+ * have no normals, it shades the deformed mesh with the normals of the rest pose. three.js applies skinning to the recomputed normals.
  *
- * The mesh gets its own copy of the geometry. Call `update` once per frame: it returns at once while no weight changes, and never
- * allocates. The cost is proportional to the moved vertices. `furrow pack --morph-normals` is the alternative: a larger file, with
- * tangents left at rest.
+ * The mesh gets its own copy of the geometry. Call `update` once per frame. `update` does nothing while no weight changes, and never
+ * allocates. Alternatively, `furrow pack --morph-normals` stores normals in the file. The file is then larger, and tangents are not deformed.
  */
 export class RecomputedNormals {
   readonly #mesh: Mesh
@@ -29,7 +29,7 @@ export class RecomputedNormals {
   readonly #tangent: BufferAttribute | null
   readonly #restTangents: Float32Array | null
   readonly #targets: readonly Offsets[]
-  /** Target weights at the last update. */
+  /** Blendshape weights at the last update. */
   readonly #weights: Float32Array
 
   /**

@@ -4,10 +4,10 @@ import { unknownArea } from '../core/check-areas.ts'
 import { wrinklesOfMesh } from './mesh-wrinkles.ts'
 
 /**
- * Creates a keyframe track of an area's resting activation. Put it in an `AnimationClip` and play that with an `AnimationMixer` on the
- * mesh or an ancestor. Drivers add to the resting activation.
+ * Creates a keyframe track that animates the activation of one area, i.e. of one controllable group of wrinkles. Put the track in an
+ * `AnimationClip`, and play the clip with an `AnimationMixer` whose root is the mesh or an ancestor. Drivers add to the animated activation.
  *
- * @param mesh mesh with wrinkles. The track binds by mesh name, as in clips from files, so copies play it too.
+ * @param mesh mesh with wrinkles. The track refers to the mesh by name, so it also animates copies with the same name.
  * @param area name of the area.
  * @param times increasing times in seconds.
  * @param values one activation (0..1) per time, interpolated linearly.

@@ -2,7 +2,7 @@ import type { Mesh } from 'three'
 import { formatProblem } from '../core/error.ts'
 import type { FaceGroup } from '../runtime/face-group.ts'
 
-/** Property of a mesh that animation mixers write to: `wrinkles[AREA].activation`. */
+/** Type of the property `wrinkles` of a mesh. Animation mixers set `wrinkles[AREA].activation`. */
 export type AnimatedAreas = Record<string, { activation: number }>
 
 /** Lets animation mixers set the activations of a mesh's areas. Call again after adding or removing areas. */
@@ -12,7 +12,10 @@ export function exposeAreas(mesh: Mesh, group: FaceGroup<never>): void {
   ;(mesh as Mesh & { wrinkles?: AnimatedAreas }).wrinkles = areas
 }
 
-/** Creates the object that a mixer writes to. A mixer keeps this object after its area is removed; writing to it then warns once. */
+/**
+ * Creates the object whose `activation` a mixer sets. The mixer keeps the object after the area is removed. Setting `activation` then warns
+ * once.
+ */
 function animatedArea(group: FaceGroup<never>, name: string): { activation: number } {
   let hasWarned = false
   return {
@@ -21,7 +24,7 @@ function animatedArea(group: FaceGroup<never>, name: string): { activation: numb
     },
     set activation(value) {
       if (group.isDisposed) return
-      // Cubic splines may overshoot.
+      // Cubic splines may leave the range 0..1.
       if (group.hasArea(name)) group.setRestingActivation(name, Math.min(Math.max(value, 0), 1))
       else if (!hasWarned) {
         hasWarned = true
@@ -30,7 +33,7 @@ function animatedArea(group: FaceGroup<never>, name: string): { activation: numb
             who: 'Wrinkles',
             problem: 'an animation moves an area that was removed',
             value: name,
-            remedy: 'its other tracks keep playing',
+            remedy: 'the other tracks of the animation keep playing',
           }),
         )
       }

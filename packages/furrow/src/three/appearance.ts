@@ -1,6 +1,6 @@
 import type { Clock } from '../runtime/face-group.ts'
 
-/** Maximum time step per frame, milliseconds. Shader compilation makes the first frame long. */
+/** Maximum time step per frame, milliseconds. Without a limit, the long first frame, which compiles shaders, would skip the fade-in. */
 const MAX_STEP = 50
 
 /** Fade-in of wrinkles added to a face that is already on screen. */

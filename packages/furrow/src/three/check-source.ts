@@ -1,9 +1,9 @@
-import { checkMapSizes } from '../core/map-sizes.ts'
+import { checkMapSizes } from '../core/maps/map-sizes.ts'
 import type { Area, ArraySlice, Layer, WrinkleSet } from '../core/types.ts'
 import { checkWrinkleSet } from '../core/wrinkle-set.ts'
-import { copyLayers } from '../runtime/layer-maps.ts'
+import { copyLayers } from '../runtime/maps/layer-maps.ts'
 
-/** Wrinkle set read from a file. It is already checked, and textures may keep its pixel arrays without copying them. */
+/** Wrinkle set read from a file. It was checked when it was read, and textures may use its pixel arrays without copying them. */
 export class ReadSet implements WrinkleSet<ArraySlice> {
   readonly areas: Area<ArraySlice>[]
   readonly layers: Layer<ArraySlice>[]
@@ -15,8 +15,8 @@ export class ReadSet implements WrinkleSet<ArraySlice> {
 }
 
 /**
- * Checks a wrinkle set, and copies the maps of its layers, because textures keep the arrays they are created from. A `ReadSet` is returned
- * unchanged.
+ * Checks a wrinkle set, and copies the maps of its layers, because textures keep references to pixel arrays that the page may change. A
+ * `ReadSet` is returned unchanged.
  *
  * @throws FurrowError if the set is malformed, or maps of one kind differ in size.
  */

@@ -6,30 +6,33 @@ import { callBeforeRender } from './mesh/before-render.ts'
 import type { AnyRenderer } from './renderer.ts'
 
 /**
- * Maximum number of times that one scene is hooked. A page, or another copy of Furrow, may replace `onBeforeRender` after every hook; the
- * limit ends this loop.
+ * Maximum number of times that Furrow sets `onBeforeRender` of one scene. Without a limit, Furrow and the page (or another copy of Furrow)
+ * could replace each other's callback forever.
  */
 const MAX_HOOKS = 8
 
-/** The faces of a scene count as out of sight after this many consecutive renders that draw none of them, e.g. from other cameras. */
+/** Maximum number of consecutive renders of a scene that update its faces without drawing any face. */
 const MAX_RENDERS = 4
 
-/** A scene that contains faces. */
 interface FaceScene {
-  /** Furrow's `onBeforeRender` callback; null until the scene is hooked. */
+  /** Furrow's `onBeforeRender` callback; null until Furrow has set it. */
   hook: Scene['onBeforeRender'] | null
-  /** Number of times the scene was hooked. */
+  /** Number of times that Furrow set `onBeforeRender`. */
   hooks: number
-  /** Whether the scene will be hooked after the current frame. */
+  /** Whether Furrow will set `onBeforeRender` after the current frame. */
   isDue: boolean
-  /** Frame that last drew a face, and its renderer. */
+  /** Number of the frame that last drew a face of the scene. */
   last: number
+  /** Renderer of the frame `last`. */
   renderer: AnyRenderer
-  /** Number of renders of the scene since then. */
+  /** Number of renders of the scene since the frame `last`. */
   renders: number
 }
 
-/** Frame phases for one kind of renderer, with the atlases of its faces. */
+/**
+ * Updates all faces of one kind of renderer once per frame, in phases: inputs, drivers, activations, influence maps. An influence map holds,
+ * in UV space, how strongly each layer of wrinkles is visible. Atlases hold the influence maps of several faces.
+ */
 export class RendererFrame extends Frame<AnyRenderer, InfluenceAtlas> {
   readonly #materials: QuadMaterials
   readonly #scenes = new WeakMap<Scene, FaceScene>()
@@ -39,7 +42,7 @@ export class RendererFrame extends Frame<AnyRenderer, InfluenceAtlas> {
     this.#materials = materials
   }
 
-  /** Returns the atlas shared by all faces with this area size (texels) and number of layers. */
+  /** Returns the atlas of influence maps shared by all faces with the same resolution of areas (in texels) and number of layers. */
   atlasFor(width: number, height: number, layers: number): InfluenceAtlas {
     const shared = this.targets.find(
       (atlas) => atlas.cells.width === width && atlas.cells.height === height && atlas.layers === layers,
@@ -51,18 +54,19 @@ export class RendererFrame extends Frame<AnyRenderer, InfluenceAtlas> {
   }
 
   /**
-   * Compiles the programs that draw an atlas, after the current frame, so that the first frame with wrinkles does not wait for them. Deferred
-   * because three.js's `compile` clobbers the light state of a `compile` or `render` in progress.
+   * Compiles the shaders that draw an atlas, so that the first frame with wrinkles does not wait for them. Waits for the end of the current
+   * `render` or `compile` call: a nested `compile` would overwrite the light state of that call.
    */
   compileLater(atlas: InfluenceAtlas, renderer: WebGLRenderer): void {
     queueMicrotask(() => this.targets.includes(atlas) && atlas.compile(renderer))
   }
 
   /**
-   * Registers a scene in which a member is being drawn. From the next frame on, the phases run before the scene's first draw call.
+   * Registers a scene in which a face is being drawn. From the next frame on, the phases run before the scene's first draw call.
    *
-   * On WebGL, drawing influence in the middle of a render pass makes tiled mobile GPUs store and reload the target (Arm GPU Best Practices,
-   * "Efficient render passes"). WebGPU submits influence first anyway.
+   * On WebGL, drawing influence maps in the middle of a render pass makes tiled mobile GPUs store and reload the render target (Arm GPU Best
+   * Practices, "Efficient render passes"). With WebGPU the scene is not registered, because the influence maps are submitted to the GPU
+   * before the pass in any case.
    */
   trackScene(scene: Scene, { seen }: FrameEntry<AnyRenderer>, renderer: AnyRenderer): void {
     const known = this.#scenes.get(scene)
@@ -72,13 +76,13 @@ export class RendererFrame extends Frame<AnyRenderer, InfluenceAtlas> {
       known.renders = 0
       if (known.isDue || known.hook === scene.onBeforeRender || known.hooks === MAX_HOOKS) return
     }
-    // three.js passes an empty scene when the rendered root is not a Scene.
+    // three.js passes an empty scene if `render` was called with an object that is not a Scene.
     if (scene.isScene && scene.children.length > 0 && drawsImmediately(renderer)) {
       this.#hookLater(scene, seen, renderer)
     }
   }
 
-  /** Separate method: its closures would allocate in every call of `trackScene`. */
+  /** Separate method, because `trackScene` runs in every frame and closures in it would allocate each time. */
   #hookLater(scene: Scene, last: number, renderer: AnyRenderer): void {
     const hooks = (this.#scenes.get(scene)?.hooks ?? 0) + 1
     const faceScene: FaceScene = { hook: null, hooks, isDue: true, last, renderer, renders: 0 }
@@ -90,7 +94,7 @@ export class RendererFrame extends Frame<AnyRenderer, InfluenceAtlas> {
     faceScene.isDue = false
     if (this.targets.length === 0) return
     const stop = callBeforeRender(scene, (by, _camera, { overrideMaterial }) => {
-      // The page may have wrapped an earlier hook, which still runs.
+      // If the page wrapped an earlier hook of Furrow, the earlier hook still runs. Only the latest hook may call `beginImage`.
       if (this.#scenes.get(scene) !== faceScene) return
       if (this.targets.length === 0) {
         stop()
@@ -102,7 +106,6 @@ export class RendererFrame extends Frame<AnyRenderer, InfluenceAtlas> {
     faceScene.hook = scene.onBeforeRender
   }
 
-  /** Adds a released atlas again. */
   restore(atlas: InfluenceAtlas): void {
     if (!this.targets.includes(atlas)) this.targets.push(atlas)
   }
@@ -124,12 +127,12 @@ export function frameOf(materials: QuadMaterials): RendererFrame {
   return frame
 }
 
-/** Number of `render` calls, including nested ones. */
+/** Returns the number of `render` calls, including nested ones. */
 function renderCount({ info }: AnyRenderer): number {
   return 'calls' in info ? info.calls : info.render.frame
 }
 
-/** Whether a renderer draws objects while it traverses the scene. `WebGPURenderer` also traverses scenes to compile them. */
+/** Whether a renderer sends draw calls to the GPU while it traverses a scene. False for WebGPU, and while a scene is only compiled. */
 function drawsImmediately(renderer: AnyRenderer): boolean {
   const { backend, _compilationPromises } = renderer as {
     backend?: { isWebGPUBackend?: true }

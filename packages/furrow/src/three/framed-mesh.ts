@@ -40,8 +40,10 @@ export interface FramedMeshParts {
 }
 
 /**
- * A mesh with wrinkles that takes part in each frame of its renderer. While its material is disposed of, it is suspended: it does no work and
- * holds no GPU resources.
+ * A mesh with wrinkles, which a `RendererFrame` updates in each frame. Each instance of the mesh has an influence map, which holds in UV space
+ * how strongly each layer of wrinkles is visible. The map is a cell of a texture that faces share, the atlas.
+ *
+ * After the page disposes of the material, the mesh is suspended: it frees its GPU resources, and is not updated until it is drawn again.
  */
 export abstract class FramedMesh
   extends FaceGroup<AnyRenderer>
@@ -59,7 +61,7 @@ export abstract class FramedMesh
   #entry: FrameEntry<AnyRenderer>
   readonly #atlas: InfluenceAtlas
   #cells: readonly Cell[]
-  /** Whether the page disposed of the material and has not drawn a mesh with it since. */
+  /** Whether the page has disposed of the material, and not drawn the mesh again. */
   #isSuspended = false
   #appearance: Appearance | null = null
 
@@ -89,7 +91,7 @@ export abstract class FramedMesh
     return this.material.mode
   }
 
-  /** @throws FurrowError if the mode is unsupported here; the mode then stays unchanged. */
+  /** @throws FurrowError if the mode is unsupported for the mesh or material; the mode then stays unchanged. */
   set mode(mode: WrinkleMode) {
     this.checkInUse('mode')
     checkMode(mode)
@@ -98,7 +100,7 @@ export abstract class FramedMesh
     this.relief.resume()
   }
 
-  /** Updates inputs, drivers and activations. Influence is drawn only if a renderer is given. */
+  /** Updates inputs, drivers and activations. Influence maps are drawn only if a renderer is given. */
   update(renderer: AnyRenderer | null): void {
     this.checkInUse('update')
     if (renderer !== null && typeof renderer?.render !== 'function') {
@@ -116,12 +118,11 @@ export abstract class FramedMesh
     this.#appearance = appearance
   }
 
-  /** Called when another face gets a cell in the atlas: the current shader may only work for an atlas with a single face. */
+  /** Updates the material when another face joins the frame: the current shader of the material may require an atlas with a single face. */
   refresh(): void {
     this.material.settle(null)
   }
 
-  /** Called before a mesh is drawn in a scene. */
   prepareIn(scene: Scene, renderer: AnyRenderer, camera: Camera, mesh: Mesh): void {
     this.#entry.isLate ||= isPrepared(mesh)
     if (!this.prepare(renderer, camera, mesh, Boolean(scene.overrideMaterial))) return
@@ -129,10 +130,9 @@ export abstract class FramedMesh
   }
 
   /**
-   * Called before a mesh is drawn: updates the material, runs the phases of the frame up to the influence map (see `Frame`), then sets the
-   * uniforms of the shader.
+   * Called before a mesh is drawn. Updates the material, runs all phases of the frame (see `Frame`), and sets the uniforms of the shader.
    *
-   * @param isOverridden whether an override material draws the mesh, e.g. for shadows. `WebGPURenderer` does so during the mesh's own draw.
+   * @param isOverridden whether an override material draws the mesh, e.g. for shadows. The opacity then stays unchanged.
    * @returns whether the phases ran.
    */
   prepare(renderer: AnyRenderer, camera: Camera, mesh: Mesh, isOverridden = false): boolean {
@@ -149,12 +149,12 @@ export abstract class FramedMesh
     if (!isOverridden) this.shaderInputs.fade.value = this.#fadeOf(mesh, camera, renderer)
     this.#frame.begin(this.#entry, renderer)
     locateCells(this.shaderInputs, this.#atlas, this.#cells)
-    // After the drivers: the relief mode `near` depends on activations.
+    // Comes after the drivers, because the relief mode `near` depends on activations.
     this.relief.prepare(renderer, camera, mesh)
     return true
   }
 
-  /** Phase 4 of a frame, see `Frame`. */
+  /** Phase 4 of a frame: reports changed influence maps to the atlas, see `FrameMember`. */
   collectInfluence(renderer: AnyRenderer): boolean {
     const { fade, areas, textures } = this.shaderInputs
     areas.upload?.(renderer)
@@ -193,14 +193,14 @@ export abstract class FramedMesh
   }
 
   /**
-   * Rejoins the frame after the current one: a new cell may resize the atlas that the current frame reads. Separate method: the closure
-   * would allocate in every call of `prepare`.
+   * Resumes after the current frame, because a new cell may resize the atlas, which the current frame reads. Separate method, because a
+   * closure in `prepare` would allocate in every frame.
    */
   #resumeLater(): void {
     queueMicrotask(() => this.resume())
   }
 
-  /** Takes part in frames again after `#suspend`. Must not be called during a frame. */
+  /** Undoes `#suspend`. Must not be called during a frame. */
   protected resume(): void {
     if (this.isDisposed || !this.#isSuspended) return
     this.#isSuspended = false
@@ -211,7 +211,7 @@ export abstract class FramedMesh
     this.material.resume()
   }
 
-  /** Stops taking part in frames, and frees resources that no other face uses. */
+  /** Removes the mesh from the frame loop, and frees resources that no other face uses. */
   #leave(): void {
     this.#frame.remove(this.#entry)
     this.#atlas.remove(this.#cells)
@@ -219,7 +219,7 @@ export abstract class FramedMesh
     releaseShaderInputs(this.shaderInputs)
   }
 
-  /** Opacity of the wrinkles, 0..1: 0 if the mesh is too small on screen, or the fade-in has not begun. */
+  /** Opacity of the wrinkles, 0..1, from the fade-in and the size of the mesh on screen. */
   #fadeOf(mesh: Mesh, camera: Camera, renderer: AnyRenderer): number {
     const appeared = this.#appearance?.advance(this.clock) ?? 1
     const { fadeBelow } = this.options
@@ -227,7 +227,6 @@ export abstract class FramedMesh
     return appeared * fadeOnScreen(mesh, camera, renderer, fadeBelow)
   }
 
-  /** Switches to another area array. */
   protected rebind(array: AreaArray, areas: readonly Area<ArraySlice>[]): void {
     this.#atlas.rebind(this.#cells, array, areas)
   }

@@ -1,7 +1,7 @@
 import type { Mesh } from 'three'
 import type { WrinkleFaces } from '../runtime/wrinkle-faces.ts'
 
-/** Wrinkles of each mesh, oldest first. A mesh has several while a page moves its wrinkles to another material. */
+/** Wrinkles of each mesh, oldest first. A page that changes the mesh's material may add new wrinkles before it disposes of the old ones. */
 const wrinklesByMesh = new WeakMap<Mesh, WrinkleFaces[]>()
 
 /** Returns the oldest wrinkles of a mesh that are not disposed of, or undefined. */

@@ -5,8 +5,9 @@ import { checkOptionNames } from '../core/nearest-name.ts'
 
 /**
  * Shading mode of wrinkles:
- * - `default` mixes normals and lights once
- * - `paper` lights twice and mixes colours
+ * - `default` mixes the normals of smooth and wrinkled skin, and computes the lighting once
+ * - `paper` computes the lighting separately for smooth and for wrinkled skin, and mixes the two colours (the method of the paper, see
+ *   docs/paper.md)
  * - `composed` renders the mixed normals into a texture that replaces the material's normal map
  * - `off` shows no wrinkles
  */
@@ -15,8 +16,10 @@ export type WrinkleMode = 'default' | 'paper' | 'composed' | 'off'
 const MODES: readonly WrinkleMode[] = ['default', 'paper', 'composed', 'off']
 
 /**
- * When the layers' heights displace the surface, so that wrinkles change outlines and shadows. `near` displaces while an area is active
- * and a millimetre covers more than a pixel.
+ * Determines when height maps displace the surface, so that wrinkles change outlines and shadows:
+ * - `off` never
+ * - `on` always
+ * - `near` while an area is active and a millimetre of skin covers more than a pixel
  */
 export type ReliefMode = 'off' | 'on' | 'near'
 
@@ -26,21 +29,21 @@ const RELIEF_MODES: readonly ReliefMode[] = ['off', 'on', 'near']
 export interface WrinklesOptions {
   /** Shading mode, default `default`. */
   mode?: WrinkleMode
-  /** Side of the square grid that areas are resampled to, texels, default 128. Areas in texture arrays keep their size. */
+  /** Areas are resampled to a square with this edge length, texels, default 128. Areas in KTX 2 textures keep their size. */
   areaSize?: number
   /**
-   * Size of the mesh on screen, in pixels, below which wrinkles fade out. At half this size they are gone and cost nothing. Default 0:
-   * never fade.
+   * Diameter in pixels. Wrinkles start to fade out when the mesh's bounding sphere is smaller than this on screen. At half this diameter they
+   * are invisible and not updated. Default 0: wrinkles never fade.
    */
   fadeBelow?: number
-  /** When the layers' heights displace the surface, default `near`. Heights are decoded and triangles split on first use. */
+  /** Condition for height maps to displace the surface, default `near`. The first use of relief decodes height maps and splits triangles. */
   relief?: ReliefMode
 }
 
 /** Options of `WrinkleLoaderPlugin`. */
 export interface WrinkleLoaderOptions extends WrinklesOptions {
   /**
-   * Generates wrinkles from the blendshapes of files that have none, in a worker after loading. Off by default. See
+   * For files without wrinkles, generates wrinkles from their blendshapes, in a worker after loading. Off by default. See
    * docs/auto-in-the-page.md.
    */
   auto?: AutoRunOptions
@@ -65,7 +68,7 @@ export function checkReliefMode(relief: ReliefMode, who = 'Wrinkles.relief'): vo
 }
 
 /**
- * @param who names the caller in errors.
+ * @param who name of the caller, for errors.
  * @throws FurrowError if an option is unknown or out of range.
  */
 export function checkOptions(options: Required<WrinklesOptions>, who: string): void {

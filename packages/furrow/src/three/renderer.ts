@@ -1,19 +1,19 @@
 import type { WebGLRenderer } from 'three'
 // biome-ignore lint/suspicious/noTsIgnore: needed in the published declarations; `@ts-expect-error` would fail here
-/** @ts-ignore three.js before r167 has no `three/webgpu`: the type is then `any`. */
+/** @ts-ignore three.js before r167 has no `three/webgpu`; with it, `WebGPURenderer` has the type `any`. */
 import type { WebGPURenderer } from 'three/webgpu'
 import { FurrowError } from '../core/error.ts'
 
 /** A `WebGLRenderer` or `WebGPURenderer` of three.js. */
 export type AnyRenderer = WebGLRenderer | WebGPURenderer
 
-/** Entry point of the package; each supports one renderer. */
+/** Entry points of the package. Each supports one class of renderers. */
 export type Entry = 'furrow/three' | 'furrow/webgpu'
 
 /**
  * Checks that an entry point supports a renderer.
  *
- * @param who names the class in errors.
+ * @param who name of the class, for errors.
  * @throws FurrowError if the renderer needs the other entry point.
  */
 export function checkRenderer(renderer: AnyRenderer, entry: Entry, who: string): void {
@@ -21,10 +21,9 @@ export function checkRenderer(renderer: AnyRenderer, entry: Entry, who: string):
   if (problem) throw problem
 }
 
-/** Unsupported renderers that were already logged. */
 const refused = new WeakSet<AnyRenderer>()
 
-/** Whether the renderer needs the other entry point. Logs an error, once per renderer. */
+/** Whether a renderer needs the other entry point. If so, logs an error, once per renderer. */
 export function isRefused(renderer: AnyRenderer, entry: Entry, who: string): boolean {
   const problem = problemOf(renderer, entry, who)
   if (!problem) return false
@@ -33,7 +32,7 @@ export function isRefused(renderer: AnyRenderer, entry: Entry, who: string): boo
   return true
 }
 
-/** Required to filter and blend 32-bit float textures, in WebGL 2 and in WebGPU. */
+/** WebGL 2 extensions and WebGPU features that filter and blend 32-bit float textures. */
 const FLOAT_EXTENSIONS = ['OES_texture_float_linear', 'EXT_float_blend']
 const FLOAT_FEATURES = ['float32-filterable', 'float32-blendable']
 

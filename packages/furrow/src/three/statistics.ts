@@ -6,13 +6,13 @@ import type { WrinkledMesh } from './wrinkled-mesh.ts'
 
 /** Cost of wrinkles, as of the last frame. */
 export interface WrinkleStatistics {
-  /** Areas with an activation above 0, summed over all instances: the areas that an influence map is drawn from. */
+  /** Number of areas (groups of wrinkles) with an activation (current strength) above 0, summed over all instances. */
   activeAreas: number
-  /** Textures with the layers' maps and the areas. Faces made from one wrinkle set share them. */
+  /** Number of textures for the maps of the layers and for the areas. All faces with the same wrinkle set share these textures. */
   textures: number
-  /** GPU memory of these textures in bytes, mipmaps included. */
+  /** GPU memory of the textures in bytes, mipmaps included. */
   textureBytes: number
-  /** Triangles of the meshes, per instance. Relief draws more than the meshes have. */
+  /** Number of triangles drawn per instance. Relief increases it, because it splits triangles. */
   triangles: number
 }
 
@@ -39,7 +39,7 @@ function trianglesIn({ index, attributes, drawRange }: BufferGeometry): number {
   return Math.floor(Math.min(count - drawRange.start, drawRange.count) / 3)
 }
 
-/** Mipmaps add a third, unless the file has them. */
+/** Returns the GPU memory of a texture in bytes. Generated mipmaps add a third. */
 function bytesOf({ image, mipmaps, format, generateMipmaps }: ArrayTexture): number {
   const files = mipmaps as { data: ArrayBufferView }[] | undefined
   if (files?.length) return sum(files, ({ data }) => data.byteLength)

@@ -1,13 +1,13 @@
 import { FurrowError } from '../core/error.ts'
 import type { Entry } from './renderer.ts'
 
-/** Oldest three.js release that each entry point supports; `peerDependencies` starts at the older one. */
+/** Oldest three.js release that each entry point supports. The range in `peerDependencies` starts at the lower of the two numbers. */
 export const OLDEST_THREE = { 'furrow/three': 160, 'furrow/webgpu': 186 } as const
 
 /** Newest three.js release that the tests run on. */
 export const NEWEST_THREE = 187
 
-/** Release number in three.js's `REVISION`: `187dev` gives 187. */
+/** Returns the release number in three.js's `REVISION`, e.g. 187 for `187dev`. */
 export function releaseOf(revision: string): number {
   return Number.parseInt(revision, 10)
 }
@@ -16,7 +16,7 @@ export function releaseOf(revision: string): number {
  * Checks that three.js is recent enough for an entry point. With older releases the shaders fail to compile and the mesh disappears.
  *
  * @param revision three.js's `REVISION`.
- * @throws FurrowError if it is older than `OLDEST_THREE`.
+ * @throws FurrowError if the release is older than `OLDEST_THREE`.
  */
 export function checkThree(entry: Entry, revision: string): void {
   const oldest = OLDEST_THREE[entry]
@@ -33,7 +33,7 @@ export function checkThree(entry: Entry, revision: string): void {
 }
 
 /**
- * Guards the use of an undocumented three.js internal, so that the error names the release that removed it.
+ * Checks that an undocumented internal of three.js exists. Newer releases may remove it.
  *
  * @param name name of the internal in three.js's sources.
  * @param revision three.js's `REVISION`.

@@ -15,18 +15,22 @@ import { watchReplacement } from './material/watch-replacement.ts'
 import { createTextures } from './material/wrinkle-textures.ts'
 import { callBeforeRender } from './mesh/before-render.ts'
 import { checkIsMesh, checkMesh } from './mesh/check-mesh.ts'
+import { addMissingWeights } from './mesh/missing-weights.ts'
 import { checkOptions, WRINKLES_DEFAULTS, type WrinklesOptions } from './options.ts'
 import { bindInputs } from './sources/bind-inputs.ts'
 import { addMuscles } from './sources/muscles.ts'
 import type { InputOptions } from './sources/target.ts'
 import { checkThree } from './three-version.ts'
 
-/** Internals of `Wrinkles`: the meshes, areas and drivers of one face. */
+/**
+ * Shows a wrinkle set on the meshes of a face: creates textures, patches the material, and connects drivers. `Wrinkles` is the public class
+ * around it.
+ */
 export class WrinkledMesh extends FramedMesh {
   #inputOptions: InputOptions = {}
 
   /**
-   * @param source a checked set, or another mesh whose areas, textures and drivers are shared; activations start at rest.
+   * @param source a checked set, or another wrinkled mesh, whose areas, textures and drivers are then shared. Activations are not copied.
    * @throws FurrowError if the mesh, its material or the set is invalid; the mesh is then unchanged.
    */
   constructor(
@@ -81,6 +85,7 @@ export class WrinkledMesh extends FramedMesh {
     this.onDispose(
       callBeforeRender(mesh, (renderer, camera, scene) => {
         checkReplacement()
+        addMissingWeights(mesh)
         this.prepareIn(scene, renderer, camera, mesh)
       }),
     )
@@ -91,7 +96,6 @@ export class WrinkledMesh extends FramedMesh {
     return this.material.cloneAll()
   }
 
-  /** Clones the wrinkled material, without its wrinkles. */
   cloneSurface(): Material {
     this.checkInUse('cloneSurface')
     return this.material.clone()
@@ -100,8 +104,8 @@ export class WrinkledMesh extends FramedMesh {
   /**
    * Replaces the drivers.
    *
-   * @param options sources of their inputs; omitted options keep their values.
-   * @param isLate whether inputs are looked up at the first frame, because they may not exist yet.
+   * @param options where drivers read their inputs; omitted options keep their values.
+   * @param isLate whether inputs are looked up in the first frame instead of now, because they may not exist yet.
    */
   drive(drivers: readonly WrinkleDriver[] | DriverPlan, options?: InputOptions, isLate = false): void {
     this.checkInUse('setDrivers')
@@ -114,7 +118,6 @@ export class WrinkledMesh extends FramedMesh {
     this.vrmExpressions = all.vrmExpressions ?? []
   }
 
-  /** Replaces all areas. */
   replaceAreas(areas: Area<ArraySlice>[], who: string): void {
     this.resume()
     const { textures } = this.shaderInputs
@@ -124,11 +127,11 @@ export class WrinkledMesh extends FramedMesh {
     this.areas = copyAreas(areas)
     this.rebind(array, areas)
     exposeAreas(this.mesh, this)
-    // The shader graph of the paper mode references the array.
+    // Rebuilds the shader graph of the mode `paper`, which references the old array.
     if (this.mode === 'paper') this.material.show('paper')
   }
 
-  /** Takes the drivers of a set or another mesh. Copies look inputs up late, because they may get their skeleton later. */
+  /** Uses the drivers of a set or of another mesh. A copied mesh may get its skeleton later, so its inputs are looked up in the first frame. */
   #driveAs(source: WrinkleSet<ArraySlice> | WrinkledMesh): void {
     if (source instanceof WrinkledMesh) {
       const { targetsOf, vrmExpressions } = source.#inputOptions
@@ -140,7 +143,7 @@ export class WrinkledMesh extends FramedMesh {
   }
 }
 
-/** Copies the list, so that later changes stay within the faces that share one area array. */
+/** Copies the areas, because changes of the copies must not change the wrinkle set. */
 function copyAreas(areas: readonly Area<ArraySlice>[]): Area<ArraySlice>[] {
   return areas.map((area) => ({ ...area }))
 }

@@ -9,15 +9,14 @@ import type { AnyRenderer } from './renderer.ts'
 import { statisticsOf, type WrinkleStatistics } from './statistics.ts'
 import { WrinkledMesh } from './wrinkled-mesh.ts'
 
-/** Returns the internals of `Wrinkles`. */
 export function meshOf(wrinkles: WrinklesBase): WrinkledMesh {
-  // The constructor below creates no other group.
+  // `WrinklesBase` always passes a `WrinkledMesh` to its base class.
   return groupOf(wrinkles) as WrinkledMesh
 }
 
 /**
- * Wrinkles on one mesh, or on each instance of an `InstancedMesh` or `BatchedMesh`. Base class of `Wrinkles` for both renderers. The
- * material is patched, not replaced: morphs, skinning, shadows, environment and `normalScale` keep working, and `dispose` restores it.
+ * Wrinkles on one mesh, or on each instance of an `InstancedMesh` or `BatchedMesh`. Base class of `Wrinkles` for both renderers. Patches the
+ * material instead of replacing it, so morphs, skinning, shadows, environment and `normalScale` keep working. `dispose` removes the patch.
  */
 export abstract class WrinklesBase extends WrinkleFaces {
   /** @throws FurrowError if the mesh, its material or the set is invalid; the mesh is then unchanged. */
@@ -32,12 +31,12 @@ export abstract class WrinklesBase extends WrinkleFaces {
     this.onDispose(registerWrinkles(mesh, this))
   }
 
-  /** Mesh whose blendshapes, skeleton and surface the drivers read. */
+  /** Mesh whose blendshapes, skeleton and deformed surface the drivers read. */
   get mesh(): Mesh {
     return meshOf(this).mesh
   }
 
-  /** The meshes that show these wrinkles: `mesh`, then those given to `addMesh`. */
+  /** Meshes that show these wrinkles: `mesh`, then the meshes given to `addMesh`. */
   get meshes(): readonly Mesh[] {
     return [...meshOf(this).meshes]
   }
@@ -48,23 +47,23 @@ export abstract class WrinklesBase extends WrinkleFaces {
   }
 
   /**
-   * Changes the shading mode and recompiles the material. `composed` shows normals only, and ignores `fadeBelow`.
+   * Changes the shading mode and recompiles the material. `composed` uses only the normal maps of the layers, and ignores `fadeBelow`.
    *
-   * @throws FurrowError if the mode is unsupported here; the mode then stays unchanged. The mode `paper` needs one layer, a material that
-   *   can be patched, and readable maps of one size. The modes `paper` and `composed` do not support instances.
+   * @throws FurrowError if the mode is unsupported for the mesh or material; the mode then stays unchanged. The mode `paper` needs one layer,
+   *   a material that can be patched, and readable maps of one size. The modes `paper` and `composed` do not support instances.
    */
   set mode(mode: WrinkleMode) {
     meshOf(this).mode = mode
   }
 
-  /** When the layers' heights displace the surface. */
+  /** Setting that determines when height maps displace the surface, see `ReliefMode`. */
   get relief(): ReliefMode {
     return meshOf(this).relief.mode
   }
 
   /**
-   * Changes when the layers' heights displace the surface. On first use, triangles under areas are split in time slices, and the face has no
-   * relief until that is done. Meshes that do not support relief stay unchanged; `on` then warns once.
+   * Changes when height maps displace the surface (relief). On first use, triangles under areas are split over several frames, and the face
+   * has no relief until all are split. Meshes that do not support relief stay unchanged, and the mode `on` logs one warning.
    *
    * @throws FurrowError if the value is unknown.
    */
@@ -72,30 +71,30 @@ export abstract class WrinklesBase extends WrinkleFaces {
     meshOf(this).relief.mode = mode
   }
 
-  /** Prepares relief now instead of on first use. Resolves when relief can be drawn, or if there are no heights. */
+  /** Prepares relief now instead of on first use. Resolves when relief can be drawn, or if the layers have no height maps. */
   async reliefReady(): Promise<void> {
     await meshOf(this).relief.ready()
   }
 
   /**
-   * Updates inputs, drivers and activations now. Only needed to read activations without drawing: every rendered frame updates them.
+   * Updates inputs, drivers and activations now. Only needed to read activations without drawing, because every rendered frame updates them.
    *
-   * @param renderer draws the influence maps too. If null, inputs measured on the GPU keep their last value.
+   * @param renderer if given, also draws the influence maps. If null, inputs measured on the GPU keep their last value.
    */
   update(renderer: AnyRenderer | null = null): void {
     meshOf(this).update(renderer)
   }
 
-  /** Measures what the wrinkles cost. For panels and debugging: it allocates. */
+  /** Measures the cost of the wrinkles, for panels and debugging. Allocates. */
   get statistics(): WrinkleStatistics {
     return statisticsOf(meshOf(this))
   }
 
   /**
-   * Creates a material that shows influence on the moving mesh as gray: black = 0, white = 1. Dispose of it after use. Create a new one
-   * after adding or removing areas.
+   * Creates a material that shows the influence map on the mesh in gray: black = 0, white = 1. Dispose of the material after use. Create a new
+   * material after adding or removing areas.
    *
-   * @param area area name or names, to show their weights regardless of activation. Default: the current influence.
+   * @param area name or names of areas. The material then shows the weights of these areas instead, regardless of activation.
    * @throws FurrowError if an area is unknown.
    */
   createInfluenceMaterial(area?: string | readonly string[]): Material {
@@ -103,7 +102,7 @@ export abstract class WrinklesBase extends WrinkleFaces {
   }
 
   /**
-   * Adds another mesh with the same material, e.g. a second primitive of the face. All meshes show the same wrinkles, in any draw order.
+   * Adds another mesh with the same material, e.g. a second primitive of the face. All meshes show the same wrinkles.
    */
   addMesh(mesh: Mesh): void {
     meshOf(this).addMesh(mesh)
@@ -111,8 +110,8 @@ export abstract class WrinklesBase extends WrinkleFaces {
   }
 
   /**
-   * Clones the material without its wrinkles, for another mesh that gets its own wrinkles. If the mesh has several materials, returns an
-   * array in which only the wrinkled material is cloned.
+   * Clones the material without its wrinkles, for another mesh that gets its own wrinkles. If the mesh has several materials, returns all of
+   * them in an array, and clones only the material with wrinkles.
    */
   cloneMaterial(): Material | Material[] {
     return meshOf(this).cloneMaterial()

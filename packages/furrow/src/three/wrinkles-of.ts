@@ -16,7 +16,7 @@ export interface LoadedFile {
 }
 
 /**
- * Returns the wrinkles of a mesh, or undefined. If it has several, returns the oldest that are not disposed of.
+ * Returns the wrinkles of a mesh, or undefined. If the mesh has several `Wrinkles`, returns the oldest that is still in use.
  *
  * @throws FurrowError if the argument is neither a mesh nor a loaded file.
  */
@@ -44,7 +44,7 @@ export function wrinklesOf(source: Mesh | LoadedFile): WrinklesBase | undefined 
 /**
  * Waits for the wrinkles that `WrinkleLoaderPlugin` generates with its option `auto`. Resolves at once for other files.
  *
- * @returns the wrinkles of the file, one per face; empty if none can be generated, or generation was aborted.
+ * @returns the wrinkles of the file, one per face; empty if no wrinkles can be generated, or if generation was aborted.
  * @throws FurrowError if the argument is not a loaded file.
  */
 export async function wrinklesReady(file: LoadedFile): Promise<readonly WrinklesBase[]> {
@@ -62,7 +62,6 @@ function isLoadedFile(source: unknown): source is LoadedFile {
 
 const warned = new WeakSet<object>()
 
-/** Warns of a file with wrinkles that was loaded without the plugin. */
 function warnUnregistered({ parser }: LoadedFile): void {
   const json = parser?.json
   if (!isObject(json) || warned.has(json)) return

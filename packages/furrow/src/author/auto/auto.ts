@@ -8,8 +8,14 @@ import type { MorphDriver } from '../../drivers/morph/definition.ts'
 import { targetFinder } from '../../drivers/morph/target-names.ts'
 import type { Skin } from '../skin/surface.ts'
 import type { StrokesDocument } from '../strokes/document.ts'
+import { valleyBlood } from '../valley-blood.ts'
+import { faceSeed } from './anatomy/face-seed.ts'
 import { type ImplausibleMeasure, implausibleMeasures } from './anatomy/proportions.ts'
 import { type AutoBlood, drawBlood, neutralBlood } from './blood/draw-blood.ts'
+import { BULGES_FROM } from './bulges/bulge-driver.ts'
+import { type BulgeArea, drawBulges } from './bulges/draw-bulges.ts'
+import { planBulges } from './bulges/plan-bulges.ts'
+import { regionsAt } from './bulges/regions.ts'
 import { ageDriver } from './fit/age-driver.ts'
 import type { MissingRegion } from './fit/fit-driver.ts'
 import { fitDrivers } from './fit/fit-drivers.ts'
@@ -24,23 +30,23 @@ import type { DetectedFace } from './surface/detect-face.ts'
 import type { Landmarks } from './surface/landmarks.ts'
 import { prepareSkin } from './surface/prepare-skin.ts'
 
-/** Area of influence with its driver. */
+/** Area of influence (a map of weights that tells where a group of wrinkles appears), with the drivers that compute its activation. */
 export interface AutoArea {
   name: string
   /** Index of the area's layer. */
   layer: number
   weights: GrayImage
   driver: MorphDriver
-  /** Driver that shows the lines at rest, depending on the input `age`. Only faces have it. */
+  /** Driver that shows the lines on the neutral face, depending on the input `age`. Undefined if the lines vanish at rest. */
   ageing?: AgeDriver | undefined
-  /** Fraction by which the region's expression shortens the skin across the lines. */
+  /** Fraction of length that the skin loses across the lines, in the expression that causes the lines. */
   compression: number
   /**
    * Root mean square difference, 0..1, between the driver's activation and the activation that follows from the measured compression. The
-   * mean is over poses of single blendshapes and of combinations.
+   * mean covers poses with one blendshape and poses with several.
    */
   error: number
-  /** Number of lines. */
+  /** Number of wrinkle lines. */
   lines: number
 }
 
@@ -50,22 +56,26 @@ export interface AutoWrinkles {
   landmarks: Landmarks | undefined
   /** Names of the blendshapes that were used: all except broken ones. */
   targets: string[]
-  /** Layers with lines. If there are fine furrows, their layer comes last; it has no strokes. */
+  /** Layers with wrinkle lines, then the layer with bulges. If there are fine furrows, the last layer contains them and has no strokes. */
   layers: AutoLayer[]
-  /** Pattern of fine furrows. Undefined if furrows are disabled, or texels are too large for them. */
+  /** Pattern of fine furrows. Undefined if furrows are disabled, if texels are too large for furrows, or if no face was detected. */
   furrows: AutoFurrows | undefined
-  /** Blood maps of the layers, and areas that show only blood. */
+  /** Areas of skin that rises with age, all on one layer. Empty if the option `age` is missing or low. */
+  bulges: BulgeArea[]
+  /** Blood maps of the layers, and areas that show only blood (reddened or pale skin). */
   blood: AutoBlood
   areas: AutoArea[]
   /** Millimetres per unit of the skin's positions. On faces, it is derived from the distance between the eyes. */
   scale: number
+  /** Random seed that was used. The same seed draws the same lines. */
+  seed: number
   /** Regions of the face that got no area, with reasons. */
   missing: MissingRegion[]
-  /** Expression presets in the names of the face's blendshapes. They move blendshapes only; the areas' drivers add the wrinkles. */
+  /** Expression presets, which name the face's own blendshapes. They set blendshape weights only; the areas' drivers add the wrinkles. */
   expressions: ExpressionDriver[]
-  /** Complete sentences without a full stop. */
+  /** Each warning is a complete sentence without a full stop. */
   warnings: string[]
-  /** Reason why there are no areas, to be used in a sentence. Undefined if there are areas. */
+  /** Reason why there are no areas: a clause for a message. Undefined if there are areas. */
   emptyReason: string | undefined
 }
 
@@ -81,8 +91,8 @@ export type AutoProgress = (done: number, total: number, step: string) => void
 export const AUTO_STEPS = ['face', 'lines', 'drivers', 'layers', 'maps'] as const
 
 /**
- * Makes wrinkles from a character's blendshapes. Skin creases where blendshapes compress it; on faces, creases follow the lines known from
- * anatomy. The same input and seed produce bit-identical maps.
+ * Makes wrinkles from a character's blendshapes. Lines appear where blendshapes compress the skin. On faces, the lines follow paths known
+ * from anatomy. The same input and seed produce bit-identical maps.
  *
  * @throws FurrowError if the skin has no blendshapes, no area in UV space, or NaN or infinite values.
  * @throws FurrowError if `regions` is set but no face is detected, or if `furrows` is set with only one layer.
@@ -105,28 +115,48 @@ export function autoWrinkles(
 
   if (settings.furrows && settings.layers < 2) throw missingLayerError()
 
-  // Each stage has a folder and uses the stages before it: surface -> strain -> lines -> fit -> raster -> blood, furrows.
+  // Each stage has a folder and uses the stages before it: surface -> strain -> lines -> fit -> raster -> blood, bulges, furrows.
   begin('face')
   const prepared = prepareSkin(skin)
   if (!prepared.face && options.regions) throw missingFaceError(options.regions)
+  const seed = options.seed ?? (prepared.face ? faceSeed(prepared.face.landmarks) : 1)
   const unusual = prepared.face && !options.regions ? implausibleMeasures(prepared.face) : []
   const doubtful = new Set(unusual.flatMap(({ regions }) => regions))
-  const regions = settings.regions.filter((region) => !doubtful.has(region))
-  const lineSettings = { ...settings, regions, ageFraction: (age - 20) / 60, maxAreas }
+  const wanted = regionsAt(options.age, settings.regions)
+  const regions = wanted.filter((region) => !doubtful.has(region))
+  const lineSettings = { ...settings, seed, regions, ageFraction: (age - 20) / 60, maxAreas }
   const lineProgress = begin('lines')
   // The strain is not stored in a variable, so that its large arrays can be freed once the lines are laid.
-  const creased = layLines(prepared, measureStrain(prepared, lineSettings, lineProgress), lineSettings)
+  const creased = layLines(
+    prepared,
+    measureStrain(prepared, lineSettings, (fraction) => lineProgress(fraction / 2)),
+    lineSettings,
+    (fraction) => lineProgress((1 + fraction) / 2),
+  )
   const fitted = fitDrivers(prepared, creased, maxAreas, begin('drivers'))
   begin('layers')
   const { face } = prepared
   const planned =
-    face && settings.furrows ? planNet({ ...prepared, face }, { ...settings, regions }) : undefined
-  const layerOf = assignLayers(fitted.regions, planned?.net ? settings.layers - 1 : settings.layers)
-  const drawn = drawMaps(prepared, fitted.regions, layerOf, settings, begin('maps'))
-  const { layers, weights } = drawn ?? { layers: [], weights: [] }
+    face && settings.furrows ? planNet({ ...prepared, face }, { ...settings, seed, regions }) : undefined
+  const lineLayers = planned?.net ? settings.layers - 1 : settings.layers
+  const rising = face
+    ? planBulges({ ...prepared, face }, { ...lineSettings, layers: lineLayers })
+    : { bulges: [], missing: [] }
+  const hasBulges = rising.bulges.length > 0
+  const layerOf = assignLayers(fitted.regions, hasBulges ? lineLayers - 1 : lineLayers)
+  const isEmpty = fitted.regions.length === 0 && !hasBulges
+  const mapProgress = begin('maps')
+  const drawn = isEmpty ? undefined : drawMaps(prepared, fitted.regions, layerOf, settings, mapProgress)
+  const { layers, weights } = drawn ?? { layers: [] as AutoLayer[], weights: [] }
   const blood = drawn
     ? drawBlood(prepared, { ...drawn, regions: fitted.regions, layerOf }, settings.strength)
     : { amplitude: 0, maps: [], areas: [] }
+  const raised =
+    drawn && face && hasBulges
+      ? drawBulges(face, rising.bulges, drawn, { ...settings, years: age })
+      : { layers: [], areas: [] }
+  blood.maps.push(...raised.layers.map(({ heights }) => valleyBlood(heights)))
+  layers.push(...raised.layers)
   const furrows =
     drawn && face && planned?.net ? drawNet({ ...prepared, face }, planned.net, drawn, settings) : undefined
   if (furrows) blood.maps.push(neutralBlood(settings.size))
@@ -139,6 +169,7 @@ export function autoWrinkles(
     layers: furrows ? [...layers, furrows.layer] : layers,
     furrows: furrows?.net,
     blood,
+    bulges: raised.areas,
     areas: fitted.regions.map(({ region, driver, compression, error, creases }, i) => ({
       name: region.name,
       layer: layerOf[i],
@@ -150,9 +181,13 @@ export function autoWrinkles(
       lines: creases.length,
     })),
     scale,
+    seed,
     missing: [
       ...fitted.missing,
-      ...[...doubtful].map((name) => ({ name, reason: 'the head is stylised' })),
+      ...wanted
+        .filter((region) => doubtful.has(region))
+        .map((name) => ({ name, reason: 'the head is stylised' })),
+      ...rising.missing,
       ...(planned?.missing ?? []),
     ],
     expressions: face ? presetsOf(face) : [],
@@ -162,7 +197,9 @@ export function autoWrinkles(
       ...fitted.warnings,
       ...(settings.furrows && !face ? ['fine furrows require a face; none are drawn'] : []),
     ],
-    emptyReason: fitted.regions.length > 0 ? undefined : emptyReasonOf(prepared.isUnknownHead),
+    emptyReason: isEmpty
+      ? emptyReasonOf(prepared.isUnknownHead, wanted.length === 0 && settings.regions.length > 0)
+      : undefined,
   }
 }
 
@@ -170,13 +207,23 @@ export function autoWrinkles(
 export function strokesOf({
   layers,
   scale,
+  seed,
   furrows: net,
-}: Pick<AutoWrinkles, 'layers' | 'scale'> & Partial<Pick<AutoWrinkles, 'furrows'>>): StrokesDocument {
+}: Pick<AutoWrinkles, 'layers' | 'scale' | 'seed'> &
+  Partial<Pick<AutoWrinkles, 'furrows'>>): StrokesDocument {
   const strokes = layers.flatMap(({ name, strokes }) => strokes.map((stroke) => ({ layer: name, ...stroke })))
-  return { version: 1, scale, size: layers[0].heights.width, strokes, ...(net && { furrows: net.furrows }) }
+  return {
+    version: 1,
+    scale,
+    size: layers[0].heights.width,
+    seed,
+    strokes,
+    ...(net && { furrows: net.furrows }),
+  }
 }
 
-function emptyReasonOf(isUnknownHead: boolean): string {
+function emptyReasonOf(isUnknownHead: boolean, isTooYoung: boolean): string {
+  if (isTooYoung) return `the regions show from the age of ${BULGES_FROM} years on`
   return isUnknownHead
     ? 'the mesh looks like a head, but no blendshapes show where its eyes and mouth are, as blinks and smiles do'
     : 'no blendshape compresses the skin enough to crease it'
@@ -210,7 +257,7 @@ function missingFaceError(regions: readonly string[]): FurrowError {
   })
 }
 
-/** Returns the expression presets that a face's blendshapes can show. The presets have no activations. */
+/** Returns the expression presets that a face's blendshapes can show. The presets do not activate areas directly. */
 function presetsOf({ names, hints, find }: DetectedFace): ExpressionDriver[] {
   const loaderFinds = targetFinder(names)
   const ownNames = (shape: string) => {

@@ -4,11 +4,11 @@ import { checkOptionNames, didYouMean } from '../../core/nearest-name.ts'
 import type { TangentFrame } from '../normals/height-to-normal.ts'
 import { AUTO_REGIONS, type AutoRegion } from './anatomy/region-names.ts'
 
-/** Options of `autoWrinkles`; `AUTO_DEFAULTS` has the defaults. */
+/** Options of `autoWrinkles`; `AUTO_DEFAULTS` has the constant defaults. */
 export interface AutoOptions {
   /**
    * Age in years, 20..80. With age, lines grow in number, length and depth. If the option is given, the neutral face also shows lines of this
-   * age until the application sets the input `age`.
+   * age until the application sets the input `age`. If it is over 35, the face also gets bulges, such as bags under the eyes.
    */
   age?: number
   /** Factor on the depth of all wrinkles, 0..2. */
@@ -17,13 +17,18 @@ export interface AutoOptions {
   size?: number
   /** Width and height of the areas' maps in texels. */
   areaSize?: number
-  /** Random seed, an integer. The same seed produces the same wrinkles. */
+  /** Random seed, an integer. The same seed produces the same wrinkles. Default: derived from the proportions of the face. */
   seed?: number
-  /** Seeds of single regions, which replace `seed`. The seed of `foreheadInner` applies to the whole forehead. */
+  /** Seeds that replace `seed` in single regions. The seed of `foreheadInner` applies to the whole forehead. */
   seeds?: Readonly<Partial<Record<AutoRegion, number>>>
+  /**
+   * How much the right side of a face mirrors the left side, 0..1. At 0, the sides differ as in people. At 1, the lines of a symmetric face are
+   * symmetric.
+   */
+  symmetry?: number
   /** Maximum number of layers, 1..4. Fine furrows require at least 2. */
   layers?: number
-  /** Maximum number of areas with lines, 1..64. The regions with the least compression are dropped. */
+  /** Maximum number of areas with wrinkle lines, 1..64. If more regions crease, those whose skin is compressed least are dropped. */
   areas?: number
   /** Regions of the face that get wrinkles; default: all. The option requires that a face is detected. */
   regions?: readonly AutoRegion[]
@@ -33,14 +38,14 @@ export interface AutoOptions {
   frame?: TangentFrame
 }
 
-/** Defaults of `AutoOptions`. */
+/** Defaults of `AutoOptions` that do not depend on the face. */
 export const AUTO_DEFAULTS = {
   age: 45,
   strength: 1,
   size: 1024,
   areaSize: 128,
-  seed: 1,
   seeds: {},
+  symmetry: 0,
   layers: 4,
   areas: 24,
   regions: AUTO_REGIONS,
@@ -48,19 +53,20 @@ export const AUTO_DEFAULTS = {
   frame: 'orthonormal',
 } as const satisfies AutoOptions
 
-/** Minimum and maximum of each number. */
+/** Minimum and maximum of each numeric option. */
 const RANGES = {
   age: [20, 80],
   strength: [0, 2],
   size: [1, MAX_IMAGE_SIDE],
   areaSize: [2, MAX_IMAGE_SIDE],
   seed: [0, 2 ** 31 - 1],
+  symmetry: [0, 1],
   layers: [1, MAX_LAYERS],
   areas: [1, 64],
 } as const satisfies Partial<Record<keyof AutoOptions, readonly [number, number]>>
 
 /** Options that need not be integers. */
-const FRACTIONS: readonly string[] = ['age', 'strength']
+const FRACTIONS: readonly string[] = ['age', 'strength', 'symmetry']
 
 /**
  * Checks the options of `autoWrinkles`.
@@ -69,7 +75,7 @@ const FRACTIONS: readonly string[] = ['age', 'strength']
  * @throws FurrowError for the first option that is unknown or out of range.
  */
 export function checkAutoOptions(options: AutoOptions, who: string): void {
-  checkOptionNames(options, Object.keys(AUTO_DEFAULTS), who)
+  checkOptionNames(options, [...Object.keys(AUTO_DEFAULTS), 'seed'], who)
   for (const [name, range] of Object.entries(RANGES)) {
     const value = options[name as keyof typeof RANGES]
     if (value !== undefined) checkNumber(value, name, range, who)

@@ -16,7 +16,7 @@ export interface StrainMap {
 }
 
 /**
- * Computes maps of the compression of skin in poses, as `autoWrinkles` measures it.
+ * Computes a map of the compression of skin for each pose. `autoWrinkles` measures the compression in the same way.
  *
  * @param poses weights of blendshapes by name, in the spelling of any rig. Unknown names are ignored.
  * @param size width and height of the maps in texels.

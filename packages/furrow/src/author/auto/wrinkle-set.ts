@@ -20,54 +20,60 @@ export function autoWrinkleSet({
   layers,
   areas,
   blood,
+  bulges,
   furrows,
   expressions,
-}: Pick<AutoWrinkles, 'layers' | 'areas' | 'blood' | 'furrows' | 'expressions'>): WrinkleSet & {
+}: Pick<AutoWrinkles, 'layers' | 'areas' | 'blood' | 'bulges' | 'furrows' | 'expressions'>): WrinkleSet & {
   drivers: WrinkleDriver[]
 } {
   return {
-    layers: layers.map(({ name, normal, occlusion, heights }, i) => ({
+    layers: layers.map(({ name, normal, occlusion, onset, heights }, i) => ({
       name,
       kind: 'detail',
       normal,
       occlusion,
+      ...(onset && { onset }),
       // Fine furrows are too shallow to move the surface.
       ...(name !== furrows?.furrows.layer && heightOf(heights)),
       blood: blood.maps[i],
       bloodAmplitude: blood.amplitude,
     })),
-    areas: [...areas, ...blood.areas, ...(furrows?.areas ?? [])].map(({ name, layer, weights }) => ({
-      name,
-      layer: layers[layer].name,
-      weights,
-    })),
-    drivers: autoDrivers({ areas, blood, furrows, expressions }),
+    areas: [...areas, ...blood.areas, ...bulges, ...(furrows?.areas ?? [])].map(
+      ({ name, layer, weights }) => ({
+        name,
+        layer: layers[layer].name,
+        weights,
+      }),
+    ),
+    drivers: autoDrivers({ areas, blood, bulges, furrows, expressions }),
   }
 }
 
-/** Converts heights to a map of half the width and height. Heights need less resolution than normals, which show how steep a crease is. */
+/** Converts heights to a map of half the width and height, because heights need less resolution than normals. */
 function heightOf(heights: HeightMap): Heights {
   const { levels, amplitude } = heightLevels(heights.data)
   return { height: halfSide({ ...heights, data: levels }), heightAmplitude: amplitude }
 }
 
 /**
- * Returns all drivers of automatic wrinkles: drivers by blendshapes, age drivers, drivers of blood and fine furrows, and expressions.
+ * Returns all drivers of automatic wrinkles: blendshape and age drivers of the lines, drivers of blood, bulges and fine furrows, and
+ * expressions.
  *
- * @param wrinkles result of `autoWrinkles`. Omit `blood` or `furrows` if their areas are not used.
+ * @param wrinkles result of `autoWrinkles`. Omit `blood`, `bulges` or `furrows` if their areas are not used.
  */
 export function autoDrivers({
   areas,
   blood,
+  bulges = [],
   furrows,
   expressions,
 }: Pick<AutoWrinkles, 'areas' | 'expressions'> &
-  Partial<Pick<AutoWrinkles, 'blood' | 'furrows'>>): AutoDriver[] {
+  Partial<Pick<AutoWrinkles, 'blood' | 'bulges' | 'furrows'>>): AutoDriver[] {
   return [
     ...areas.map(({ driver }) => driver),
     ...areas.flatMap(({ ageing }) => ageing ?? []),
     ...(blood?.areas ?? []).flatMap(({ drivers }) => drivers),
-    ...(furrows?.areas ?? []).map(({ driver }) => driver),
+    ...[...bulges, ...(furrows?.areas ?? [])].map(({ driver }) => driver),
     ...expressions,
   ]
 }

@@ -13,7 +13,7 @@ import { type BakeMesh, sharedNormals } from './mesh.ts'
 import { type AnyHit, ambientVisibility } from './occlusion.ts'
 import { interpolateUnit, type TangentSpace, tangentSpaceOf } from './tangent-frame.ts'
 
-/** Detailed surface, queried by ray casts from (x, y, z) in the unit direction (dx, dy, dz). Lengths are in metres. */
+/** Detailed surface that rays are cast against. A ray starts at (x, y, z) and has the unit direction (dx, dy, dz). Lengths are in metres. */
 export interface BakeSource {
   /**
    * Finds the nearest hit within `far` metres on a triangle that faces the ray. Writes four numbers into `hit`: the distance and the shading
@@ -61,7 +61,7 @@ export const BAKE_DEFAULTS = {
   bits: 8,
 } as const satisfies Omit<BakeOptions, 'cage'>
 
-/** Maps baked by {@link bakeMaps}, with statistics of its rays. */
+/** Maps baked by {@link bakeMaps}, with statistics of the rays. */
 export interface BakedMaps {
   /** Tangent-space normal map. Green points towards smaller v. */
   normal: NormalMap
@@ -72,7 +72,7 @@ export interface BakedMaps {
   samples: number
   /** Number of rays that hit nothing. */
   misses: number
-  /** Number of texels in UV islands without any hit. They are filled from their neighbours, or stay flat. */
+  /** Number of texels in UV islands whose rays hit nothing. These texels are filled from their neighbours, or stay flat. */
   emptyTexels: number
 }
 
@@ -82,13 +82,13 @@ export interface BakedMaps {
  */
 const BIAS = 1e-4
 
-/** Barycentric tolerance. It counts samples on an edge for both triangles, so that rounding loses no sample. */
+/** Barycentric tolerance. Both triangles at an edge include the samples on the edge, so that rounding loses no sample. */
 const TOLERANCE = 1e-9
 
 /**
  * Bakes a detailed surface into normal, height and occlusion maps of a low-polygon mesh. Each sample casts one ray inwards along the mesh's
  * smooth normal, from a point at distance `cage` outside the mesh. The nearest hit within `2 * cage` defines the height and the normal of the
- * sample. Normals are in the tangent frame in which renderers read the map. The samples of a texel are averaged, even if islands overlap.
+ * sample. Normals are stored in the tangent frame that renderers use. The samples of a texel are averaged, even if islands overlap.
  *
  * @param progress called periodically with the approximate number of finished samples and their total number.
  * @throws FurrowError if the mesh or the options are invalid, or no ray hits anything.
@@ -228,7 +228,7 @@ export function meshDiagonal({ positions }: Pick<BakeMesh, 'positions'>): number
 /** Normalises the normals, and maps their components from -1..1 to the full range of the bit depth. */
 function encode(normals: Float32Array, bits: 8 | 16): Uint8Array | Uint16Array {
   const out = new (bits === 8 ? Uint8Array : Uint16Array)(normals.length)
-  const half = (2 ** bits - 1) / 2
+  const half = (bits === 8 ? 0xff : 0xffff) / 2
   for (let i = 0; i < normals.length; i += 3) {
     const [x, y, z] = [normals[i], normals[i + 1], normals[i + 2]]
     const scale = Math.sqrt(x * x + y * y + z * z) || 1

@@ -1,6 +1,6 @@
 import { length } from '../../math/vector.ts'
 
-/** Unindexed mesh whose maps are baked. Each triangle has three corners of its own. */
+/** Unindexed mesh that maps are baked for. Every three corners form a triangle. */
 export interface BakeMesh {
   /** Packed xyz per corner, in metres. */
   positions: Float32Array
@@ -8,7 +8,7 @@ export interface BakeMesh {
   normals: Float32Array
   /** Packed uv per corner, v = 0 at the top. UVs outside 0..1 wrap. */
   uvs: Float32Array
-  /** Tangent of each corner, four numbers with w = 1 or -1 as in glTF. Without tangents, normals are baked in the `derivative` frame. */
+  /** Tangent of each corner, four numbers with w = 1 or -1 as in glTF. Without tangents, maps have the `derivative` frame (`TangentFrame`). */
   tangents?: Float32Array
 }
 

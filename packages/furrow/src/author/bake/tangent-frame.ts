@@ -14,14 +14,14 @@ export interface TangentSpace {
   encode(a: number, b: number, c: number, direction: ArrayLike<number>, out: Float64Array): boolean
 }
 
-/** A frame is degenerate if its determinant is at most this. */
+/** A frame is degenerate if the absolute value of its determinant is at most this. */
 const DEGENERATE = 1e-6
 
 /**
  * Returns the tangent space in which renderers read a mesh's normal map. If the mesh has tangents, this is glTF's frame: bitangents are
  * `w * cross(normal, tangent)` at the vertices. Tangent, bitangent and normal are interpolated and then normalised, as in three.js and the
  * Khronos sample renderer. If the mesh has no tangents, this is three.js's derivative frame. Interpolated frames are not orthogonal, so
- * `encode` inverts their matrix (Cramer's rule).
+ * `encode` inverts their matrix by Cramer's rule.
  */
 export function tangentSpaceOf(mesh: BakeMesh): TangentSpace {
   const readFrame = mesh.tangents ? vertexFrame(mesh, mesh.tangents) : derivativeFrame(mesh)
@@ -69,13 +69,12 @@ export function interpolateUnit(
   for (let k = 0; k < 3; k++) out[k] /= length
 }
 
-/** Computes the tangent t and the bitangent b at a point of the selected triangle from the normal n at the point. */
+/** Computes the tangent t and the bitangent b at a point of the selected triangle, given the normal n at this point. */
 interface FrameReader {
   select(corner: number): void
   read(wa: number, wb: number, wc: number, n: Float64Array, t: Float64Array, b: Float64Array): void
 }
 
-/** Returns the frame of a mesh with tangents. */
 function vertexFrame({ normals }: BakeMesh, tangents: Float32Array): FrameReader {
   const bitangents = bitangentsOf(normals, tangents)
   let first = 0
@@ -104,8 +103,8 @@ function bitangentsOf(normals: Float32Array, tangents: Float32Array): Float32Arr
 
 /**
  * Returns the frame of a mesh without tangents, as `getTangentFrame` in three.js's shaders computes it (Schueler, Normal Mapping Without
- * Precomputed Tangents, ShaderX 5, 2006). The shader uses derivatives along the screen axes; here, derivatives along two triangle edges
- * replace them. Green points towards smaller v, because `GLTFLoader` flips `normalScale.y` for meshes without tangents.
+ * Precomputed Tangents, ShaderX 5, 2006). The shader uses derivatives along the screen axes; this function uses derivatives along two edges
+ * of the triangle instead. Green points towards smaller v, because `GLTFLoader` flips `normalScale.y` for meshes without tangents.
  */
 function derivativeFrame(mesh: BakeMesh): FrameReader {
   const [u, v] = [new Float64Array(6), new Float64Array(6)]

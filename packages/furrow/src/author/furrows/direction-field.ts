@@ -9,7 +9,7 @@ const FADE = 12
 const SAMPLE_SPACING = 3
 /** Maximum distance of a sample, as a multiple of `FADE`. Samples farther away are ignored, because their weights are below 1/1000. */
 const CUTOFF = 2.7
-/** Constant added to the sum of weights. Far from all lines it dominates, so that the result has no direction. */
+/** Constant added to the sum of weights. Far from all lines it is larger than the weights, so that the result falls to 0. */
 const NO_DIRECTION = 0.05
 /** Count of numbers in a symmetric matrix: xx, yy, zz, xy, xz, yz. */
 export const TENSOR = 6
@@ -17,9 +17,9 @@ export const TENSOR = 6
 const SAMPLE = 6
 
 /**
- * Computes the direction of nearby lines at each point of a skin. The result is a symmetric matrix per point: the mean of `t * transpose(t)`
- * over the unit tangents t of the lines, weighted by distance. The matrix is the same for t and -t, because a line has no forward direction.
- * Its trace is nearly 1 on a line and falls to 0 far from all lines.
+ * Computes the mean direction of nearby wrinkle lines at each point of the skin. The result is a symmetric matrix per point: the mean of
+ * `t * transpose(t)` over the unit tangents t of the lines, weighted by distance. The matrix is the same for t and -t, because a line has no
+ * forward direction. The matrix's trace is nearly 1 on a line and falls to 0 far from all lines.
  *
  * @returns `TENSOR` numbers per point.
  */

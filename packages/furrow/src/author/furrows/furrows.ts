@@ -6,6 +6,7 @@ import type { SkinCanvas } from '../skin/canvas.ts'
 import { layCurve, type SkinLine } from '../strokes/curve.ts'
 import type { Stroke } from '../strokes/document.ts'
 import type { HeightMap } from '../strokes/height.ts'
+import { isBulge } from '../strokes/lay-out.ts'
 import { valleyAt } from '../strokes/profile.ts'
 import { directionsAlong, TENSOR } from './direction-field.ts'
 import { LocalCells } from './local-cells.ts'
@@ -13,31 +14,28 @@ import type { Furrows } from './read-furrows.ts'
 import { FURROW_WIDTH, type Seeds, scatterSeeds, squareBy } from './scatter.ts'
 import { SeedGrid } from './seed-grid.ts'
 
-/**
- * Levels of the furrow pattern, from coarse to fine. `size` and `depth` are factors on the pattern's cell size and depth. Fine furrows divide
- * the cells between coarse furrows.
- */
+/** Levels of the furrow pattern, from coarse to fine. `size` and `depth` are factors on the pattern's cell size and depth. */
 const LEVELS = [
   { size: 1, depth: 1 },
   { size: 0.45, depth: 0.45 },
 ] as const
 const SOFTNESS = 0.5
-/** Minimum width of a furrow that is drawn, in texels. */
+/** Width in texels below which furrows are skipped. */
 export const MIN_TEXELS = 1.7
-/** Minimum width of a furrow that has its full depth, in texels. */
+/** Width in texels from which furrows have their full depth. */
 const FULL_TEXELS = 2.2
-/** Search radius, in cell sizes, that always contains the three nearest seeds. */
+/** Search radius in cell sizes. There are always three seeds (centres of cells) within this distance. */
 const REACH = 2.2
 
 /** Maximum random reduction of a furrow's depth, as a fraction. */
 const UNEVEN = 0.85
-/** Maximum reduction of the depth of furrows that cross the nearby lines of the skin, as a fraction. */
+/** Maximum reduction of the depth of furrows that cross nearby wrinkle lines, as a fraction. */
 const ACROSS = 0.9
 
 type FurrowCanvas = Pick<SkinCanvas, 'surface' | 'texels' | 'metric' | 'locator'>
 
 /**
- * Draws a pattern of fine, crossing furrows on a skin (Bando, Kuratate and Nishita 2002, A simple method for modeling wrinkles on human
+ * Draws a pattern of fine, crossing furrows on the skin (Bando, Kuratate and Nishita 2002, A simple method for modeling wrinkles on human
  * skin). Furrows are the borders between the cells of a cellular texture (Worley 1996, A cellular texture basis function). A second, finer
  * cellular texture divides the cells. Cells are stretched along nearby wrinkle lines.
  *
@@ -72,7 +70,7 @@ export function furrowHeights(
   return { width, height, data }
 }
 
-/** Draws a pattern of fine furrows, stretched along the strokes, into a height map. */
+/** Adds a pattern of fine furrows to a height map. The cells of the pattern are stretched along the strokes (wrinkles), but not along bulges. */
 export function addFurrows(
   heights: HeightMap,
   canvas: SkinCanvas,
@@ -82,7 +80,7 @@ export function addFurrows(
   const { data } = furrowHeights(
     canvas,
     furrows,
-    strokes.flatMap((stroke) => layCurve(stroke, canvas)),
+    strokes.filter((stroke) => !isBulge(stroke)).flatMap((stroke) => layCurve(stroke, canvas)),
   )
   for (let i = 0; i < data.length; i++) heights.data[i] += data[i]
 }
@@ -113,7 +111,7 @@ function texelSizesOf({ surface, locator, metric }: FurrowCanvas): Float64Array 
   return sizes
 }
 
-/** Returns the number of texels between two UV points, clamped to `width + height` in case a triangle repeats the texture. */
+/** Returns the number of texels between two UV points. It is clamped to `width + height`, because a triangle can span several texture repeats. */
 function texelsBetween(from: readonly number[], to: readonly number[], { width, height }: Metric): number {
   return Math.min(length2((to[0] - from[0]) * width, (to[1] - from[1]) * height), width + height)
 }
@@ -123,12 +121,12 @@ function edgeLength(points: Float64Array, corners: Uint32Array, from: number, to
   return length3(points[b] - points[a], points[b + 1] - points[a + 1], points[b + 2] - points[a + 2])
 }
 
-/** Offsets of the numbers that a tile stores per seed. The distance from the tile's centre, the position and the metric come before them. */
+/** Offsets in a seed's record in `FurrowPen`. The record starts with the distance from the tile's centre, the position and the metric. */
 const [SIZE, SCALE, VISIBLE, HASH] = [4 + TENSOR, 5 + TENSOR, 6 + TENSOR, 7 + TENSOR]
-/** Count of numbers per seed. */
+/** Count of numbers in a seed's record. */
 const SEED = 8 + TENSOR
 
-/** Draws one level of a furrow pattern, tile by tile. Tiles are those of `SkinTexels`. A seed is the centre of a cell. */
+/** Draws one level of a furrow pattern, tile by tile (see `SkinTexels`). A seed is the centre of a cell. */
 class FurrowPen {
   readonly #seeds: Seeds
   readonly #grid: SeedGrid
@@ -138,7 +136,6 @@ class FurrowPen {
   readonly #middle = new Float64Array(3)
   /** Seeds near the current tile, nearest first. */
   #tile = new Float64Array(64 * SEED)
-  /** Number of seeds in `#tile`. */
   #count = 0
 
   constructor(seeds: Seeds, stretch: number) {
@@ -148,7 +145,7 @@ class FurrowPen {
     for (const index of seeds.sizes.keys()) this.#grid.add(index)
   }
 
-  /** Collects the seeds near a tile's box, for the calls of `depthAt` with positions in this box. */
+  /** Collects the seeds near a tile's bounding box, for `depthAt` at positions in this box. Returns whether it found at least three. */
   readonly isNear = (low: Float64Array, high: Float64Array): boolean => {
     this.#count = 0
     if (low[0] > high[0]) return false
@@ -172,7 +169,7 @@ class FurrowPen {
       if (third < second) [second, third] = [third, second]
       if (second < nearest) [nearest, second] = [second, nearest]
     }
-    // Between the centre and another position of the box, distances change by at most half the box's diagonal (triangle inequality).
+    // The distances of a seed to the centre and to any position in the box differ by at most half the diagonal (triangle inequality).
     const farthest = third + Math.sqrt(square)
     const near = [...distances.keys()].filter((n) => distances[n] <= farthest)
     near.sort((a, b) => distances[a] - distances[b])
@@ -196,7 +193,8 @@ class FurrowPen {
 
   /**
    * Returns the depth at a position of the tile, as a fraction of the pattern's depth, 0..1. It is the depth of the deepest furrow between
-   * the cells of the three nearest seeds. The distance to the border of two cells is half the difference of the distances to their seeds.
+   * the cells of the three nearest seeds. A position's distance to the border between two cells is half the difference between its distances
+   * to the two seeds.
    */
   depthAt(position: Float64Array): number {
     const tile = this.#tile
@@ -214,14 +212,14 @@ class FurrowPen {
       if (third < second) [second, b, third, c] = [third, c, second, b]
       if (second < nearest) [nearest, a, second, b] = [second, b, nearest, a]
     }
-    // Both cells must yield the same width, so the widths of both seeds are averaged.
+    // A furrow must have the same width in both cells, so average the widths of both seeds.
     const width = (seed: number) => FURROW_WIDTH * tile[seed + SCALE] * tile[seed + SIZE]
     const halfWidth = (width(a) + width(b)) / 4
     const visible = (tile[a + VISIBLE] + tile[b + VISIBLE]) / 2
     const valley = (square: number) =>
       valleyAt((Math.sqrt(square) - Math.sqrt(nearest)) / 2 / halfWidth, SOFTNESS)
     const own = this.#strength(a, b) * valley(second)
-    // At the end of a shallow furrow, the deeper furrow that it meets wins.
+    // Where a shallow furrow ends at a deeper one, use the deeper one.
     const next = valley(third)
     return (
       visible *
@@ -229,12 +227,12 @@ class FurrowPen {
     )
   }
 
-  /** Returns the depth of the furrow between two seeds, 0..1. It is random, and smaller if the furrow crosses the lines of the skin. */
+  /** Returns the depth of the furrow between two seeds, 0..1. It is random, and smaller if the furrow crosses nearby wrinkle lines. */
   #strength(a: number, b: number): number {
     const tile = this.#tile
     const [dx, dy, dz] = [tile[b + 1] - tile[a + 1], tile[b + 2] - tile[a + 2], tile[b + 3] - tile[a + 3]]
     const square = dx * dx + dy * dy + dz * dz
-    // Squared distance between both seeds by the metric of one seed. It is shorter along the lines of the skin than across them.
+    // Squared distance between both seeds, measured with the metric of one seed. It is smaller along wrinkle lines than across them.
     const across = (seed: number) => squareBy(tile, seed + 4, dx, dy, dz) / tile[seed + SCALE] ** 2
     const along = 2 * square - across(a) - across(b)
     const random = hash32(tile[a + HASH] ^ tile[b + HASH]) / 2 ** 32

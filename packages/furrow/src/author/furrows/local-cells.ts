@@ -5,10 +5,10 @@ import type { Furrows } from './read-furrows.ts'
 
 /** Count of numbers per region: centre, squared radius, size and depth. */
 const REGION = 6
-/** Sum of the regions' weights from which the furrows have full depth. */
+/** Minimum sum of the regions' weights at which furrows have their full depth. */
 const FULL = 0.6
 
-/** Looks up the cell size and the depth of a furrow pattern by position. */
+/** Computes the cell size and the furrow depth of a pattern of fine furrows at a position. Both can differ between regions of the skin. */
 export class LocalCells {
   /** Smallest cell size of any region, in millimetres. */
   readonly smallest: number
@@ -16,9 +16,9 @@ export class LocalCells {
   readonly largest: number
   /** Cell size at the last position passed to `find`, in millimetres. */
   size: number
-  /** Depth of furrows at this position, in millimetres; 0 outside all regions. */
+  /** Depth of furrows at the last position passed to `find`, in millimetres; 0 outside all regions. */
   depth: number
-  /** Undefined if size and depth are the same everywhere. */
+  /** `REGION` numbers per region. Undefined if size and depth are the same everywhere. */
   readonly #regions: Float64Array | undefined
 
   constructor({ size, depth, regions }: Furrows, { surface, locator }: LocatedSkin) {
@@ -38,7 +38,7 @@ export class LocalCells {
     this.largest = Math.max(...sizes)
   }
 
-  /** Computes `size` and `depth` at a position as means over the regions that contain it. A region's weight falls to 0 at its radius. */
+  /** Sets `size` and `depth` to weighted means over the regions that contain a position. A region's weight falls to 0 at its radius. */
   find(x: number, y: number, z: number): void {
     const regions = this.#regions
     if (!regions) return

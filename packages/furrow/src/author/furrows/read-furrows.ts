@@ -2,11 +2,11 @@ import { type JsonReader, orDefault, type Uv } from '../../core/json.ts'
 
 /** Pattern of fine furrows that divide the skin into small cells. */
 export interface Furrows {
-  /** Mean distance between neighbouring cells in millimetres, 0.2..20. */
+  /** Mean distance between the centres of neighbouring cells in millimetres, 0.2..20. */
   size: number
   /** Maximum depth of a furrow in millimetres, 0..2. */
   depth: number
-  /** Length of cells along nearby wrinkle lines, divided by their width, 1..2. */
+  /** Ratio of a cell's length along nearby wrinkle lines to its width, 1..2. */
   stretch: number
   /** Random seed, 0..2^31 - 1. The same seed gives the same pattern. */
   seed: number
@@ -20,7 +20,7 @@ export interface Furrows {
 export interface FurrowRegion {
   /** Centre on the skin: [u, v], both 0..1, v = 0 at the top. */
   at: Uv
-  /** Radius in millimetres, 1..1000. Furrows fade out towards it. */
+  /** Radius in millimetres, 1..1000. Furrows fade out from the centre to this distance. */
   radius: number
   /** Replaces `Furrows.size` in the region. */
   size: number
@@ -39,7 +39,7 @@ export const FINE_FURROW_DEFAULTS = {
 const MAX_REGIONS = 64
 
 /**
- * Reads the `furrows` of a strokes document.
+ * Reads and checks the field `furrows` of a strokes document.
  *
  * @throws FurrowError if a field is invalid.
  */

@@ -15,7 +15,7 @@ export interface Seeds {
   metrics: Float64Array
   /** Size of each cell in millimetres. */
   sizes: Float64Array
-  /** Random factor, at most 1, on distances from each seed in all directions. The seed's matrix includes it. */
+  /** Random factor, at most 1, on distances from each seed in all directions. The seed's matrix includes this factor. */
   scales: Float64Array
   /** Visibility of the furrows around each seed at the map's resolution, 0..1. */
   visible: Float64Array
@@ -31,36 +31,35 @@ export interface CellSource {
   cells: LocalCells
   /** Ratio of a cell's length to its width on a wrinkle line. */
   stretch: number
-  /** Random seed. */
   seed: number
   /** Factor on the cell sizes of `cells`. */
   part: number
-  /** Returns how visible a furrow is at the texel size of a triangle, 0..1. */
+  /** Returns the visibility, 0..1, of a furrow on a triangle. It is 0 if the width, in millimetres, is too small for the texels. */
   visible(triangle: number, width: number): number
 }
 
 /** Width of a furrow as a fraction of the cell size. */
 export const FURROW_WIDTH = 0.3
 
-/** Spacing of the candidate lattice as a fraction of the smallest cell size. */
+/** Spacing of the lattice of candidates for seeds, as a fraction of the smallest cell size. */
 const LATTICE = 0.5
-/** Maximum distance of candidates from the skin, in lattice spacings. It leaves about one candidate per square spacing of skin. */
+/** Maximum distance of candidates from the skin, in lattice spacings. A square of skin one spacing wide then has about one candidate. */
 const SHELL = 0.5
 /** Minimum distance between seeds as a fraction of the cell size. The mean distance between neighbours is then about the cell size. */
 const SEED_SPACING = 0.8
 /**
- * Maximum random reduction of distances from a seed, as a fraction. Without it, all borders are straight and skin looks like scales. With it,
- * borders are arcs and cells differ in size (a multiplicatively weighted Voronoi diagram).
+ * Maximum random reduction of distances from a seed, as a fraction. Without a reduction, all borders of cells are straight and the skin looks
+ * like scales. With the reduction, borders are arcs and cells differ in size (a multiplicatively weighted Voronoi diagram).
  */
 const MAX_SHORTENING = 0.35
-/** Maximum edge of a searched triangle, in lattice spacings. Triangles with a longer edge are split. */
+/** Maximum edge length of a triangle in lattice spacings. Larger triangles are split before the search for nearby lattice points. */
 const MAX_EDGE = 8
-/** Approximate maximum number of candidates. The lattice gets coarser if there would be more. */
+/** Approximate maximum number of candidates. It limits how fine the lattice can be. */
 const MAX_CANDIDATES = 1_500_000
 
 /**
- * Scatters seeds over a skin by Poisson disk sampling. Candidates are the points near the skin of a jittered lattice in space, so they do not
- * depend on triangles and UVs. Near wrinkle lines, the disks are ellipses along the lines.
+ * Scatters seeds over the skin by Poisson disk sampling. Candidates are the points of a jittered 3D lattice that are close to the skin. They do
+ * not depend on triangles and UVs. Near wrinkle lines, the disks are ellipses whose long axes follow the lines.
  */
 export function scatterSeeds(source: CellSource): Seeds {
   const candidates = candidatesOn(source)
@@ -101,7 +100,7 @@ export function scatterSeeds(source: CellSource): Seeds {
   }
 }
 
-/** Returns the squared length of a vector by the symmetric matrix at offset `i` of `m`. */
+/** Returns the squared length of the vector d = (`dx`, `dy`, `dz`): `transpose(d) * M * d`, with the matrix M at offset `i` of `m`. */
 export function squareBy(m: Float64Array, i: number, dx: number, dy: number, dz: number): number {
   return (
     m[i] * dx * dx +
@@ -118,7 +117,7 @@ function inRandomOrder(hashes: Uint32Array): Uint32Array {
   return Uint32Array.from(keys, (key) => key % bits)
 }
 
-/** Returns the lattice points close to skin on which furrows are visible. */
+/** Returns the candidates for seeds: the lattice points that are close to skin with visible furrows. */
 function candidatesOn(source: CellSource): Seeds {
   const { surface, cells, part, seed } = source
   const triangles = visibleTriangles(source)
@@ -227,7 +226,10 @@ function longestEdge(a: Position, b: Position, c: Position) {
   return { square: ca, corners: [c, a, b] as const }
 }
 
-/** Computes the matrix that measures distances at a position: the identity, shortened along wrinkle lines, times `scale ** 2`. */
+/**
+ * Computes the matrix that measures squared distances at a position: `scale ** 2 * (I - (1 - 1 / stretch ** 2) * D)`, where D is the matrix of
+ * `directionsAlong`. Along wrinkle lines, the measured distances are shorter.
+ */
 function metricAt(
   out: Float64Array,
   source: CellSource,

@@ -1,3 +1,5 @@
+import { powerOfTwoFrom } from '../../math/scalar.ts'
+
 /** Spatial hash of positions: a grid of cubes in which only occupied cubes use memory. */
 export class SeedGrid {
   readonly #positions: Float64Array
@@ -5,7 +7,7 @@ export class SeedGrid {
   readonly #mask: number
   /** Index of the position last added to each bucket; -1 if none. */
   readonly #last: Int32Array
-  /** For each position, index of the position added to the same bucket before it; -1 if none. */
+  /** For each position, the index of the previous position in the same bucket; -1 if none. */
   readonly #before: Int32Array
   /** Grid coordinates of each position, packed. */
   readonly #cells: Int32Array
@@ -19,7 +21,7 @@ export class SeedGrid {
     const count = positions.length / 3
     this.#positions = positions
     this.#side = side
-    this.#mask = 2 ** Math.ceil(Math.log2(count + 1)) - 1
+    this.#mask = powerOfTwoFrom(count + 1) - 1
     this.#last = new Int32Array(this.#mask + 1).fill(-1)
     this.#before = new Int32Array(count)
     this.#cells = new Int32Array(3 * count)

@@ -1,7 +1,7 @@
 import { FurrowError } from '../../core/error.ts'
 import { type Edges, slopeAt } from './slope.ts'
 
-/** Bump map (Blinn 1978): heights over a flat image. It does not depend on a mesh. */
+/** Bump map (Blinn 1978): heights over a flat image. */
 export interface BumpMap {
   width: number
   height: number
@@ -55,8 +55,8 @@ export function bumpToNormal(
     })
   }
   const data = new (bits === 8 ? Uint8Array : Uint16Array)(3 * width * height)
-  const half = (2 ** bits - 1) / 2
-  // Rows are numbered downwards, but green points up. Heights that increase downwards therefore have positive green.
+  const half = (bits === 8 ? 0xff : 0xffff) / 2
+  // Row numbers grow downwards. Where heights increase downwards, the normal tilts upwards: its green is positive for `up`.
   const greenSign = green === 'up' ? 1 : -1
   for (let y = 0; y < height; y++) {
     for (let x = 0; x < width; x++) {

@@ -23,8 +23,8 @@ export type TangentFrame = 'orthonormal' | 'derivative'
  * Converts heights to a tangent-space normal map. Components n of the normal are stored as linear bytes, `round((n + 1) * 127.5)`. Green
  * points towards smaller v as in glTF; alpha is 255.
  *
- * Slopes are heights per distance on the skin: the gradient is computed with the metric (do Carmo, Differential Geometry of Curves and
- * Surfaces, 2.5, exercise 14). `slopeAt` reads five texels, so waves of 8 texels keep 95% of their slope and waves of 16 texels 99.8%.
+ * Slopes are heights per distance on the skin: the metric converts UV steps to distances (do Carmo, Differential Geometry of Curves and
+ * Surfaces, 2.5, exercise 14). `slopeAt` flattens short waves: a wave of 8 texels keeps 95% of its slope, and a wave of 16 texels keeps 99.8%.
  *
  * @throws FurrowError if height map and metric differ in size.
  */
@@ -39,7 +39,8 @@ export function heightToNormal(
 /**
  * Converts heights like `heightToNormal`, but lets the caller change the slopes.
  *
- * @param turn may change the two slopes of a texel, first red, then green. It is not called if both slopes are 0.
+ * @param turn called with the two slopes of a texel, which it may change in place: first the slope stored in red, then the slope stored in
+ *   green. Texels where both slopes are 0 are skipped.
  */
 export function turnedNormals(
   heights: HeightMap,
@@ -62,7 +63,7 @@ export function turnedNormals(
   return normal
 }
 
-/** Redraws the texels inside a rectangle of the result of `turnedNormals`, which is changed in place. All maps have the same size. */
+/** Redraws a rectangle of a normal map that `turnedNormals` returned. The map is changed in place. All maps must have the same size. */
 export function drawNormals(
   { data }: RgbaImage,
   { x0, y0, x1, y1 }: Readonly<Bounds>,
@@ -82,7 +83,7 @@ export function drawNormals(
       data[4 * i + 3] = 255
     }
   }
-  // Texels without heights nearby stay flat. Most texels are flat, because most skin has no wrinkles.
+  // Skip texels without heights nearby, because most skin has no wrinkles.
   const sloping = slopingTexels(heights, { x0, y0, x1, y1 })
   for (let y = y0; y < y1; y++) {
     for (let x = sloping[2 * (y - y0)]; x < sloping[2 * (y - y0) + 1]; x++) {
@@ -100,7 +101,7 @@ export function drawNormals(
         slope[0] = -longer * hu
         slope[1] = longer * hv
       } else {
-        // A unit of v moves `sqrt(det / uu)` perpendicular to u, and `uv / sqrt(uu)` along u. The slope along u is subtracted from hv.
+        // A unit step of v moves `sqrt(det / uu)` perpendicular to u, and `uv / sqrt(uu)` along u. Subtract the height gained along u.
         slope[0] = -hu / Math.sqrt(uu)
         slope[1] = (hv - (uv / uu) * hu) * Math.sqrt(uu / det)
       }

@@ -1,6 +1,6 @@
 /**
- * Values outside the border of a map. `wrap` repeats the map, for textures that tile. `clamp` continues the parabola through the last three
- * texels, so that slopes do not fade at the border.
+ * Extrapolation of heights beyond the border of a map. `wrap` repeats the map, for textures that tile. `clamp` continues the parabola through
+ * the last three texels, so that slopes do not fade at the border.
  */
 export type Edges = 'wrap' | 'clamp'
 
@@ -32,7 +32,7 @@ export function slopeAt(
   return slopeAtBorder(data, start, i, stride, count, edges)
 }
 
-/** Computes `slopeAt` near the ends of a row or column. A separate function, so that `slopeAt` does not allocate a closure. */
+/** Computes `slopeAt` near the ends of a row or column. It is a separate function, so that `slopeAt` allocates no closure. */
 function slopeAtBorder(
   data: ArrayLike<number>,
   start: number,
@@ -48,7 +48,7 @@ function slopeAtBorder(
   return (8 * (read(i + 1) - read(i - 1)) - (read(i + 2) - read(i - 2))) / 12
 }
 
-/** Returns the value at `k`. Outside the row or column, extrapolates by a parabola; by a line if it has two texels, a constant if one. */
+/** Returns the value at `k`. Outside the row or column, continues the parabola, line or constant through the last 3, 2 or 1 texels. */
 function extrapolate(
   data: ArrayLike<number>,
   start: number,
@@ -57,7 +57,7 @@ function extrapolate(
   count: number,
 ): number {
   if (k >= 0 && k < count) return data[start + k * stride]
-  // `t` is the distance from the border texel. `inner(n)` is the value at distance n from it, in the other direction.
+  // `t` is the distance outwards from the border texel. `inner(n)` is the value at distance n inwards from the border texel.
   const t = k < 0 ? -k : k - count + 1
   const inner = (n: number) => data[start + (k < 0 ? n : count - 1 - n) * stride]
   if (count === 1) return inner(0)

@@ -8,9 +8,9 @@ import { labelOf, SHAPE_NAMES } from './families.ts'
 import { hintOf } from './names/hint.ts'
 import type { NameHint } from './names/name-hint.ts'
 
-/** Correction by the user: the ARKit shape that a blendshape has. It overrides the automatic recognition, and is stored in a file. */
+/** ARKit shape that the user assigned to a blendshape. Overrides the automatic recognition, and is stored in the face's file. */
 export interface ShapeCorrection {
-  /** Name of the mesh or its node. Default: every mesh that has the material of the wrinkles. */
+  /** Name of the mesh or its node. Default: every mesh whose material has wrinkles. */
   mesh?: string
   /** Name of the blendshape, in any spelling that `findTargets` accepts. */
   target: string
@@ -21,7 +21,7 @@ export interface ShapeCorrection {
 /**
  * Reads the shape corrections of a file. Unknown fields are ignored.
  *
- * @param json value of the field `shapes` of the glTF extension or of `wrinkles.json`; undefined if the field is missing.
+ * @param json value of the field `shapes` in `wrinkles.json` or in Furrow's glTF extension; undefined if the field is missing.
  * @param who file name for errors.
  * @param onError called with an error for each malformed correction; these corrections are skipped. Default: throw the first error.
  */
@@ -50,20 +50,20 @@ function readCorrection(reader: JsonReader, item: unknown, at: string): ShapeCor
 function readShape(reader: JsonReader, value: unknown, at: string): string {
   const shape = reader.text(value, at, MAX_NAME_LENGTH)
   if (labelOf(shape)) return shape
-  const remedy = didYouMean(shape, SHAPE_NAMES, 'omit it where the blendshape is none of these')
+  const remedy = didYouMean(shape, SHAPE_NAMES, 'omit "shape" if no ARKit shape matches')
   return reader.fail(
     `${at} is unknown`,
     shape,
-    "ARKit's name, with or without its side",
+    'an ARKit name, with or without Left or Right',
     remedy,
     'unknown-name',
   )
 }
 
 /**
- * Stores corrections in the targets of a skin. If several corrections name a blendshape, the first one wins.
+ * Returns a skin whose targets contain their corrections. If several corrections name the same blendshape, the first one wins.
  *
- * @param meshes names of the skin's mesh and its nodes; the index of the mesh if it has no name.
+ * @param meshes names of the skin's mesh and its nodes. If the mesh has no name, pass its index as a string.
  */
 export function correctSkin(
   skin: Skin,
@@ -84,17 +84,17 @@ export function correctSkin(
 
 type NamedTarget = Omit<SkinTarget, 'offsets'>
 
-/** Guesses a target's kind from its correction, its name, or the name of the VRM expression that moves it. */
+/** Guesses what a blendshape does. Uses its correction, its name, or the name of the VRM expression that moves it. */
 export function hintOfTarget({ name, expression, correction }: NamedTarget): NameHint | undefined {
   if (typeof correction === 'string') return hintOf(correction)
   const hint = hintOf(name) ?? (expression === undefined ? undefined : hintOf(expression))
-  // A correction of `null` rejects ARKit shapes only: kinds without them, such as `body`, still apply.
+  // A correction of `null` means that no ARKit shape matches. The name can still tell that the target is a body shape, for example.
   return correction === null && hint && hint.shapes.length > 0 ? undefined : hint
 }
 
 /**
- * Returns the names by which drivers find targets. A corrected target has the name of its correction. If another target already has this
- * name, that target gets a placeholder name, so that only the corrected target is found.
+ * Returns the names by which drivers (functions of blendshape weights) find targets. A corrected target has the ARKit name of its correction.
+ * If another target already has this name, the other target gets a placeholder name, so that only the corrected target is found.
  */
 export function correctedNames(targets: readonly NamedTarget[]): string[] {
   const corrected = new Set(targets.map(({ correction }) => correction))
@@ -104,7 +104,7 @@ export function correctedNames(targets: readonly NamedTarget[]): string[] {
   })
 }
 
-/** Returns a name for a target that no shape has. */
+/** Returns a placeholder name for a target. It differs from all ARKit names. */
 export function placeholderName(target: number): string {
   return `#${target}`
 }

@@ -1,14 +1,14 @@
-/** Side of the face that a shape moves, from the person's view. */
+/** Side of the face that a blendshape moves, from the person's view. */
 export type Side = 'left' | 'right' | 'both'
 
-/** ARKit shape, split into family and side. `mouthSmileLeft` has the family `mouthSmile` and the side `left`. */
+/** Name of an ARKit shape, split into family and side. `mouthSmileLeft` has the family `mouthSmile` and the side `left`. */
 export interface ShapeLabel {
-  /** ARKit name without `Left` or `Right`; for `SHIFTED` shapes the complete name. */
+  /** ARKit name without `Left` or `Right`. For names in `SHIFTED` and their mirror images, this is the complete name. */
   family: string
   side: Side
 }
 
-/** Families that ARKit has as two shapes, one for each side. */
+/** Families with two ARKit shapes, one for each side. */
 export const SIDED = [
   'browDown',
   'browOuterUp',
@@ -30,7 +30,7 @@ export const SIDED = [
   'mouthLowerDown',
 ] as const
 
-/** Families that ARKit has as one shape for both sides. */
+/** Families with one ARKit shape for both sides. */
 export const CENTRAL = [
   'browInnerUp',
   'cheekPuff',
@@ -79,7 +79,6 @@ export function labelOf(name: string): ShapeLabel | undefined {
   return isKnown ? { family: stem, side: end === 'Left' ? 'left' : 'right' } : undefined
 }
 
-/** Returns the label of the mirrored shape. */
 export function mirroredLabel({ family, side }: ShapeLabel): ShapeLabel {
   if (isShifted(family))
     return { family: family.replace(/Left|Right/, (end) => (end === 'Left' ? 'Right' : 'Left')), side }

@@ -13,9 +13,8 @@ import { templateHeads } from './templates/template-table.ts'
 import type { TemplateHead } from './templates/templates.ts'
 import type { Vector } from './vectors.ts'
 
-/** Recognised blendshape. */
+/** Result of the recognition of one blendshape. */
 export interface RecognisedShape {
-  /** Name of the target. */
   name: string
   /**
    * ARKit name, without `Left` or `Right` if the blendshape moves both sides. Undefined if the blendshape is unknown, or does not correspond
@@ -32,7 +31,7 @@ export interface RecognisedShape {
   isMisnamed: boolean
 }
 
-/** Label that a blendshape gets by its motion. */
+/** ARKit label that fits the motion of a blendshape best. */
 interface MotionMatch {
   label: ShapeLabel
   confidence: number
@@ -43,9 +42,9 @@ interface MotionMatch {
   left: number
 }
 
-/** Minimum lead of the motion's label over the name's label, in scores, for the motion to overrule the name. */
+/** The label found by motion overrules the name only if its score exceeds the score of the name's label by more than this. */
 const OVERRULE_LEAD = 0.2
-/** If at least this fraction of the motion is on one side of the face, the motion overrules a name with the other side. */
+/** If at least this fraction of the motion is on one side of the face, the motion overrules a name that contains the other side. */
 const ONE_SIDE = 0.85
 /** Confidence of a shape that is recognised only by its name. */
 const BY_NAME = 0.6
@@ -61,7 +60,7 @@ export interface RecognisedFace {
 /**
  * Recognises the blendshapes of a face by their motion and their names. Corrections by the user overrule both. The result is deterministic.
  *
- * @param heads heads whose shapes the motions are compared with. Default: the built-in heads.
+ * @param heads reference heads. The motions are compared with their shapes. Default: the built-in heads.
  */
 export function recogniseShapes(
   skin: Skin,
@@ -104,7 +103,7 @@ function matchByMotion(
   return { byMotion, eyes: frame.hasLids ? frame.eyes : undefined }
 }
 
-/** Drops the shapes that the user said match no ARKit shape, so that they take no label from other shapes. */
+/** Drops the shapes that the user marked as no ARKit shape (correction `null`), so that they take no label from other shapes. */
 function withoutRejected({ weights, shapes }: ShapeFields, { targets }: Skin): ShapeFields {
   return { weights, shapes: shapes.filter(({ target }) => targets[target].correction !== null) }
 }
@@ -120,7 +119,7 @@ function decide(hint: NameHint | undefined, byMotion: MotionMatch | undefined): 
   if (!hint)
     return byMotion && byMotion.confidence >= UNSURE ? byGeometry(byMotion, false) : unknown(undefined)
   const named = namedLabel(hint)
-  // The name means several ARKit shapes or none: it is a viseme, an emotion, a proportion or a corrective.
+  // The name means several ARKit shapes or none, for example a viseme, an emotion, a proportion or a corrective.
   if (!named) return { ...unknown(hint), by: 'name' }
   const name = arkitName(named)
   if (!byMotion) return { shape: name, confidence: BY_NAME, by: 'name', hint, isMisnamed: false }

@@ -6,7 +6,7 @@ import { SkinTexels } from './skin-texels.ts'
 import { pointAreas, type Skin, type SkinSurface, weldSurface } from './surface.ts'
 import { type UvGrid, UvLocator, uvGridOf } from './uv-locator.ts'
 
-/** Data for drawing strokes into a texture: the skin as a surface, and the mapping between texels and positions on the skin. */
+/** Data for drawing wrinkles into a texture: the skin as a surface, and the mapping between texels and positions on the skin. */
 export interface SkinCanvas {
   /** Surface in millimetres. */
   surface: SkinSurface
@@ -43,7 +43,7 @@ export function skinCanvas(
   return { metric, scale, ...mapSkin(skin, surface, width, height) }
 }
 
-/** Builds the two mappings between a texture and a skin: `locator` for UV points, `texels` for whole maps. */
+/** Builds `locator`, which finds the triangle at a UV point, and `texels`, which finds the position at each texel. */
 export function mapSkin(
   skin: Pick<Skin, 'uvs' | 'indices'>,
   surface: SkinSurface,
@@ -58,11 +58,11 @@ export function mapSkin(
   }
 }
 
-/** `SkinCanvas` as arrays that can be transferred between workers. */
+/** Data of a `SkinCanvas` that can be transferred between workers. */
 export interface SkinCanvasArrays extends Pick<SkinCanvas, 'surface' | 'metric' | 'scale'> {
-  /** `grid` of the `UvLocator`. */
+  /** Value of `UvLocator.grid`. */
   grid: UvGrid
-  /** `owners` of the `SkinTexels`. */
+  /** Value of `SkinTexels.owners`. */
   owners: Int32Array
 }
 

@@ -8,7 +8,7 @@ const MAX_COVERAGE = 128
  * Rejects meshes with hundreds of overlapping triangles in UV space. Drawing time grows with the total area of the triangles, and a small
  * file can hold hundreds of thousands of triangles that each fill the texture.
  *
- * @param skin parts of triangles with UVs outside 0..1 do not count.
+ * @param skin mesh to check. Parts of its triangles outside the UV range 0..1 are ignored.
  * @param who function name for the error.
  * @throws FurrowError if the total area of the bounding boxes is too large.
  */

@@ -1,4 +1,4 @@
-/** Returns a representative vertex of each vertex's connected component (union-find with path halving). */
+/** Returns, for each vertex, a representative vertex of its connected component (union-find with path halving). */
 export function islandsOf(indices: ArrayLike<number>, count: number): Uint32Array {
   const parents = Uint32Array.from({ length: count }, (_, i) => i)
   const rootOf = (vertex: number) => {

@@ -27,7 +27,7 @@ export function nearestOnSurface(
   return nearest
 }
 
-/** Stores the barycentric coordinates of a triangle's nearest point in `weights`, and returns the squared distance to that point. */
+/** Finds the point of a triangle nearest to a position. Stores its barycentric coordinates in `weights`, and returns the squared distance. */
 function nearestOnTriangle(
   surface: SkinSurface,
   triangle: number,

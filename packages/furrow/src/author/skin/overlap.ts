@@ -5,20 +5,20 @@ import { cornersOf, type Skin, type SkinSurface, skinVertices } from './surface.
 
 /** Width and height in texels of the map used to detect overlaps. */
 const SIZE = 256
-/** Shared texels are ignored up to this fraction of the covered texels. */
+/** Maximum fraction of the covered texels that may be shared. A larger fraction counts as an overlap. */
 const TOLERANCE = 0.05
 
-/** Describes how much of the texture several parts of a skin share. */
+/** Result of `findOverlap`. */
 export interface UvOverlap {
   /** Fraction of the covered texels used more than once, 0..1. */
   fraction: number
-  /** Per triangle: true if the left and right halves of the skin share its UV island. Undefined if they share no island. */
+  /** For each triangle, whether the left and right halves of the skin share the triangle's UV island. Undefined if they share no island. */
   isMirrored: readonly boolean[] | undefined
 }
 
 type Textured = Pick<Skin, 'uvs' | 'indices'>
 
-/** Numbers of texels in a part of the skin. */
+/** Texel counts of a part of the skin. */
 interface Use {
   /** Texels that at least one triangle covers. */
   covered: number
@@ -53,7 +53,7 @@ export function findOverlap(skin: Textured, surface: SkinSurface): UvOverlap {
   }
 }
 
-/** Decides separately for each UV island, because the limbs of a body often share texels while its face does not. */
+/** Computes `UvOverlap.isMirrored`. Each UV island is tested separately, because often the limbs share texels but the face does not. */
 function mirroredTriangles(
   skin: Textured,
   surface: SkinSurface,
@@ -78,7 +78,7 @@ function mirroredTriangles(
   return useOf.map(usesBothSides)
 }
 
-/** Visits the texels that a triangle covers, except texels on its edges: adjacent triangles cover them too. */
+/** Visits the texels that a triangle covers, except texels on its edges, because adjacent triangles also cover these. */
 function visitTexels(
   skin: Textured,
   surface: SkinSurface,
@@ -94,7 +94,6 @@ function usesBothSides({ covered, twice, bothSides }: Use): boolean {
   return bothSides > TOLERANCE * covered && bothSides > twice / 2
 }
 
-/** Returns whether an overlap exceeds the tolerance. */
 export function isOverlapped({ fraction }: UvOverlap): boolean {
   return fraction > TOLERANCE
 }

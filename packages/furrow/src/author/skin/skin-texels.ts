@@ -9,11 +9,11 @@ import { cornersOf, type Skin, type SkinSurface, skinVertices } from './surface.
 const PROGRESS_STEPS = 32
 /** Width and height in texels of the tiles that `visitNear` tests. */
 const TILE = 8
-/** Owner of texels that have no triangle. */
+/** Value in `owners` for texels without a triangle. */
 const NONE = -1
 /** A texel is on the edge of a triangle if its smallest barycentric coordinate is at most this. */
 const EDGE = 1e-3
-/** Minimum doubled UV area, in square texels, of triangles that are extended beyond their island. */
+/** Twice the minimum UV area, in square texels, of a triangle that is extended into the margin around its island. */
 const NO_AREA = 1e-9
 
 /**
@@ -22,7 +22,7 @@ const NO_AREA = 1e-9
  */
 export type TexelVisitor = (texel: number, position: Float64Array, normal: Float64Array) => void
 
-/** Maps the texels of a map to positions on a skin. */
+/** Finds the triangle and the position on the skin at each texel of a map, including a margin around the UV islands. */
 export class SkinTexels {
   readonly width: number
   readonly height: number
@@ -30,7 +30,7 @@ export class SkinTexels {
   readonly #skin: Pick<Skin, 'uvs' | 'indices'>
   /** Triangle at each texel: -1 if there is no skin, `-2 - triangle` if the texel is in the margin around the islands. */
   readonly owners: Int32Array
-  /** Bounding box of each tile's skin, computed on first access. */
+  /** Bounding box of the skin in each tile, computed on first access. */
   #boxes: Float64Array | undefined
   readonly #weights = new Float64Array(3)
   readonly #position = new Float64Array(3)
@@ -42,7 +42,7 @@ export class SkinTexels {
   /**
    * @param width map width in texels.
    * @param height map height in texels.
-   * @param isDrawn selects the triangles to draw into the texture. The `owners` of an earlier instance are also accepted, and reused.
+   * @param isDrawn selects the triangles to draw into the texture. To reuse the `owners` of an earlier instance, pass that array.
    * @param margin width in texels of the margin around the islands.
    */
   constructor(
@@ -110,7 +110,7 @@ export class SkinTexels {
     progress?.(1)
   }
 
-  /** Does the work of `visitNear`, but yields the fraction done after each visited tile of 64 texels, so that the caller can pause. */
+  /** Works like `visitNear`, but yields the finished fraction after each visited tile of 64 texels, so that the caller can pause. */
   *visitNearInSteps(
     isNear: (low: Float64Array, high: Float64Array) => boolean,
     visit: TexelVisitor,
@@ -134,7 +134,7 @@ export class SkinTexels {
     for (let triangle = 0; triangle < this.surface.skinTriangles.length; triangle++) {
       const corners = skinVertices(this.#skin, this.surface, triangle)
       coverTexels(this.#skin.uvs, corners, this.width, this.height, (texel, a, b, c) => {
-        // Adjacent triangles both cover the texels on their edge.
+        // Adjacent triangles both cover the texels on their shared edge. These texels are no overlap.
         if (this.owners[texel] !== triangle && Math.min(a, b, c) > EDGE) visit(texel, triangle, a, b, c)
       })
     }
@@ -244,7 +244,7 @@ export class SkinTexels {
     const c = new Float64Array(6)
     const vertexCount = this.#skin.uvs.length / 2
     const edges: number[] = []
-    /** Vertex pairs already seen: if several triangles share an edge, only the first is extended. */
+    /** Vertex pairs of the edges already returned. If several triangles share a border edge, only the first triangle's edge is returned. */
     const seen = new Set<number>()
     for (let edge = 0; edge < 3 * drawn.length; edge++) {
       const triangle = Math.floor(edge / 3)

@@ -4,18 +4,18 @@ import { weldVertices } from '../../math/weld.ts'
 
 /** Mesh of the skin in the rest pose, and its blendshapes. Functions that take a `Skin` neither change nor keep its arrays. */
 export interface Skin {
-  /** Packed xyz per vertex, y up, in metres. Faces may use any unit: they are scaled by the distance of their eyes. */
+  /** Packed xyz per vertex, y up, in metres. If `autoWrinkles` finds the eyes, any unit works, because it scales the skin by their distance. */
   positions: ArrayLike<number>
   /** Packed uv per vertex, v = 0 at the top. */
   uvs: ArrayLike<number>
   /** Three vertices per triangle. */
   indices: ArrayLike<number>
   targets: readonly SkinTarget[]
-  /** Skinning weight of each vertex to the head joint, 0..1; undefined if the character has no head joint. */
+  /** Skinning weight of each vertex for the head joint, 0..1; undefined if the character has no head joint. */
   headWeights?: ArrayLike<number> | undefined
 }
 
-/** Blendshape. */
+/** Blendshape of a skin. */
 export interface SkinTarget {
   name: string
   /** Name of a VRM expression that moves only this target. */
@@ -29,7 +29,7 @@ export interface SkinTarget {
   offsets: ArrayLike<number>
 }
 
-/** Skin welded into one surface: vertices at the same position are one point, so UV seams are not borders. */
+/** Surface of a skin. Vertices at the same position are merged to one point, so UV seams are not borders. */
 export interface SkinSurface {
   /** Packed xyz per point. */
   points: Float64Array
@@ -39,7 +39,7 @@ export interface SkinSurface {
   areas: Float64Array
   /** Three points per triangle. Degenerate triangles of the skin are left out. */
   corners: Uint32Array
-  /** Index that each triangle of the surface has in the skin. */
+  /** For each triangle of the surface, its index in the skin. */
   skinTriangles: Uint32Array
   /** Point of the surface for each vertex of the skin. */
   pointOf: Uint32Array
@@ -50,13 +50,12 @@ export interface SkinSurface {
   neighbours: Uint32Array
 }
 
-/** Point on a surface. */
 export interface SurfacePoint {
   triangle: number
   position: [x: number, y: number, z: number]
 }
 
-/** Welds a skin into one surface. */
+/** Builds a surface from a skin by merging vertices with equal positions. */
 export function weldSurface({ positions, indices }: Pick<Skin, 'positions' | 'indices'>): SkinSurface {
   const { pointOf, points } = weldPoints(positions)
   const corners = new Uint32Array(indices.length)
@@ -174,8 +173,8 @@ function weldPoints(positions: ArrayLike<number>) {
 }
 
 /**
- * Finds the triangle across each half-edge by sorting half-edges by their undirected edge. If more than two triangles share an edge, they
- * are paired in the sorted order.
+ * Finds the triangle across each half-edge. The half-edges are sorted by undirected edge, so that opposite half-edges are adjacent in the
+ * list. If more than two triangles share an edge, their half-edges are paired in the order of the list.
  */
 function adjacentTriangles(corners: Uint32Array, count: number): Int32Array {
   const from = corners
@@ -184,7 +183,7 @@ function adjacentTriangles(corners: Uint32Array, count: number): Int32Array {
   order = sortedBy(order, (i) => Math.min(from[i], to[i]), count)
   order = sortedBy(order, (i) => Math.max(from[i], to[i]), count)
   const adjacent = new Int32Array(corners.length).fill(-1)
-  /** Last half-edge of the current edge towards the higher point index (`up`) and towards the lower one (`down`); -1 if none. */
+  /** For the current edge, the last half-edge towards the higher point index (`up`) and the last towards the lower one (`down`); -1 if none. */
   let [up, down] = [-1, -1]
   for (let n = 0; n < order.length; n++) {
     const i = order[n]
@@ -230,7 +229,7 @@ function pointNeighbours(corners: Uint32Array, count: number) {
   }
   const neighbours = new Uint32Array(named.length)
   const neighbourStarts = new Uint32Array(count + 1)
-  /** Last point that listed each neighbour, plus 1. */
+  /** For each point, 1 plus the index of the last point that listed it as a neighbour. Serves to skip duplicates. */
   const lastOf = new Uint32Array(count)
   let end = 0
   for (let point = 0; point < count; point++) {

@@ -4,11 +4,11 @@ import { type Skin, type SkinSurface, skinVertices } from './surface.ts'
 
 /** Maximum number of cells along each side of the grid. */
 const MAX_CELLS = 512
-/** Target for the average number of cells that list a triangle. */
+/** Desired average number of cells that list a triangle. */
 const ENTRIES = 4
-/** Minimum barycentric coordinate of a point inside a triangle. Below 0, because points on an edge are rounded. */
+/** Minimum barycentric coordinate of a point inside a triangle. It is below 0, because points on an edge are rounded. */
 const INSIDE = -1e-9
-/** Distances outside an island, as fractions of the texture, at which points are still found: files store rounded coordinates. */
+/** Files store rounded coordinates, so `find` also accepts points near an island. It tries the first of these UV distances, then the second. */
 const MARGINS = [2 ** -12, 2 ** -10]
 const DIRECTIONS = [-1, 0, 1].flatMap((x) => [-1, 0, 1].flatMap((y) => (x || y ? [[x, y] as const] : [])))
 
@@ -18,11 +18,11 @@ export interface UvGrid {
   side: number
   /** Start of each cell's list in `triangles`, by row-major cell index. The list of cell i ends before index `starts[i + 1]`. */
   starts: Uint32Array
-  /** Triangles whose bounding boxes overlap a cell, cell by cell. */
+  /** Lists of the triangles whose bounding boxes overlap a cell, one list per cell. */
   triangles: Uint32Array
 }
 
-/** Locates UV points on a skin with a grid over the texture. */
+/** Finds the triangle of a skin at a UV point, with a grid over the texture. */
 export class UvLocator {
   readonly #skin: Pick<Skin, 'uvs' | 'indices'>
   readonly #surface: SkinSurface
@@ -135,7 +135,6 @@ export function uvGridOf(
   return { side, starts, triangles }
 }
 
-/** Minimum and maximum u and v of a triangle. */
 type UvBox = readonly [left: number, top: number, right: number, bottom: number]
 
 /** Chooses the number of cells along each side so that a triangle is listed in about `ENTRIES` cells on average. */

@@ -5,10 +5,10 @@ import { cornersOf, type SkinSurface } from './surface.ts'
 
 /** Fraction of the distance to a triangle's centroid by which `pullInwards` moves a position. */
 const INWARDS = 1e-3
-/** Maximum number of triangles crossed per step. */
+/** Maximum number of triangles that a call of `walk` crosses. */
 const MAX_CROSSED = 8
 
-/** Scratch for the barycentric coordinates of a step's start and end, and for its end position. Reused because `walk` is called often. */
+/** Scratch: barycentric coordinates of a step's start and end, and its end position. Reused because `walk` is called often. */
 const [here, there, target] = [new Float64Array(3), new Float64Array(3), new Float64Array(3)]
 
 /**
@@ -33,7 +33,7 @@ export function walk(
     for (let k = 0; k < 3; k++) target[k] = position[k] + left * target[k]
     barycentricsAt(here, surface, triangle, position)
     barycentricsAt(there, surface, triangle, target)
-    // First edge that the step crosses, and the fraction of the step up to it.
+    // Find the first edge that the step crosses, and the fraction of the step before the crossing.
     let fraction = 1
     let edge = -1
     for (let k = 0; k < 3; k++) {
@@ -90,7 +90,7 @@ export function normalAt(
   normalize(out)
 }
 
-/** Moves a position slightly towards a triangle's centroid. Otherwise, a line along an edge could alternate between two triangles. */
+/** Moves a position slightly towards a triangle's centroid. Otherwise, a walk along an edge could alternate between two triangles. */
 function pullInwards(surface: SkinSurface, triangle: number, position: Float64Array): void {
   const corners = cornersOf(surface, triangle)
   for (let k = 0; k < 3; k++) {
@@ -100,7 +100,6 @@ function pullInwards(surface: SkinSurface, triangle: number, position: Float64Ar
   }
 }
 
-/** Projects a direction onto a triangle's plane and normalises it. */
 function projectOntoTriangle(
   out: Float64Array,
   surface: SkinSurface,

@@ -1,18 +1,18 @@
 import type { JsonReader, Uv } from '../../core/json.ts'
 import { fileNamesOf, isFileName } from '../file-names.ts'
 
-/** Soft shape: the inside of a polygon, or the surroundings of a group's strokes. */
+/** Shape with a soft edge: the inside of a polygon, or the skin around the strokes (wrinkles) of a group. */
 export type AreaShape = PolygonShape | GroupShape
 
 /** Inside of a polygon in UV space, with a soft edge. */
 export interface PolygonShape {
   /** At least 3 points [u, v], 0..1; the last is joined to the first. */
   polygon: Uv[]
-  /** Width of the soft edge in millimetres, 0.1..200: the weight falls from 1 to 0 and is 0.5 on the outline. */
+  /** Width of the soft edge in millimetres, 0.1..200. Across the edge the weight falls from 1 to 0; it is 0.5 on the outline. */
   feather: number
 }
 
-/** Surroundings of the strokes of a group, with a soft edge. */
+/** Skin around the strokes of a group, with a soft edge. */
 export interface GroupShape {
   /** Name of a group of strokes in the same document. */
   group: string
@@ -22,18 +22,21 @@ export interface GroupShape {
   feather: number
 }
 
-/** Definition of an area. Its weight at a texel is the maximum of the shapes' weights, times the weight of `within` if given. */
+/**
+ * Definition of an area of influence: a map of weights, 0..1, that tells where a group of wrinkles appears. The weight at a texel is the
+ * maximum weight of all `shapes`, multiplied by the weight of `within` if given.
+ */
 export interface AreaDefinition {
   name: string
   shapes: AreaShape[]
-  /** Restricts the area, for example to the person's left half with a soft transition at the middle. */
+  /** Shape that the area is restricted to, for example a polygon around the left half of the face. */
   within?: AreaShape
 }
 
 /**
- * Reads the `areas` of a strokes document.
+ * Reads and checks the field `areas` of a strokes document.
  *
- * @param groups names of the groups that have strokes.
+ * @param groups names of the groups of strokes in the document.
  * @throws FurrowError if a definition is invalid.
  */
 export function readAreaDefinitions(
@@ -61,7 +64,7 @@ export function readAreaDefinitions(
   })
 }
 
-/** The area's name is stored only as a file name, so it must be valid on every system. */
+/** Fails if the name cannot be a file name on every system, because each area is stored as an image file with its name. */
 function checkFileName(read: JsonReader, name: string, path: string): void {
   if (isFileName(name)) return
   read.fail(`${path} is not a valid file name`, name, `e.g. ${fileNamesOf([name])}`, 'choose another name')

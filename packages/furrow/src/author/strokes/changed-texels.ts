@@ -1,11 +1,11 @@
 import { type Bounds, widen } from '../../core/bounds.ts'
 
-/** Width and height in texels of the squares that the map is divided into. Each square tracks one rectangle of changed texels. */
+/** The map is divided into squares of this width and height in texels. One rectangle of changed texels is collected per square. */
 const SIDE = 16
-/** Two rectangles are merged if their union adds at most this many texels. */
+/** Two rectangles are merged if their bounding box has at most this many texels more than both together. */
 const SLACK = 4096
 
-/** Collects changed texels of a map, and returns rectangles that contain them. */
+/** Collects the changed texels of a map, and returns rectangles that contain them. */
 export class ChangedTexels {
   readonly #width: number
   readonly #height: number
@@ -26,7 +26,7 @@ export class ChangedTexels {
     else this.#squares.set(square, own)
   }
 
-  /** Returns rectangles that contain the texels, grown by `margin` texels and clipped to the map. */
+  /** Returns rectangles that contain the changed texels. Each rectangle is grown by `margin` texels and clipped to the map. */
   around(margin: number): Bounds[] {
     return Array.from(this.#squares.values(), ({ x0, y0, x1, y1 }) => ({
       x0: Math.max(x0 - margin, 0),
@@ -37,7 +37,7 @@ export class ChangedTexels {
   }
 }
 
-/** Merges rectangles while their union adds few texels. */
+/** Merges rectangles that are close to each other (see `SLACK`). */
 export function mergeBounds(all: readonly Bounds[]): Bounds[] {
   let merged: Bounds[] = []
   for (const bounds of all) {

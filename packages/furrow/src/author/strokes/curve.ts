@@ -16,10 +16,10 @@ const MAX_UV_STEP = 1 / 1024
 const MAX_STEP = 0.5
 /** Approximate maximum number of steps of a curve. */
 const MAX_STEPS = 8192
-/** Distance in millimetres. If a step of `MAX_UV_STEP` moves farther than this on the skin, it leads to another UV island. */
+/** Maximum distance in millimetres that a step of `MAX_UV_STEP` covers on the skin. A longer step has entered another UV island. */
 const JUMP = 10
 
-/** Line on a skin. */
+/** Line on the skin. */
 export interface SkinLine {
   /** Packed xyz in millimetres. */
   points: Float64Array
@@ -27,19 +27,19 @@ export interface SkinLine {
   normals: Float64Array
 }
 
-/** Line with the triangle under each point. */
+/** Line on the skin, with the triangle that contains each point. */
 export interface TracedLine extends SkinLine {
   triangles: readonly number[]
 }
 
-/** Skin with its UV locator. */
+/** Triangles of the skin, and a locator that finds the triangle at UV coordinates. */
 export type LocatedSkin = Pick<SkinCanvas, 'surface' | 'locator'>
 
 /**
- * Projects a stroke's curve onto the skin in short steps.
+ * Converts the curve of a stroke (a wrinkle) from UV space to lines on the skin, in short steps.
  *
- * @returns parts of the curve, each with at least two points. A polyline or a Bezier curve is interrupted where the texture has no skin. A
- *   spline ignores control points where the texture has no skin.
+ * @returns parts of the curve, each with at least two points. A polyline or a Bezier curve is interrupted at UV coordinates without skin. A
+ *   spline ignores control points at such coordinates.
  */
 export function layCurve(
   { curve, points }: Pick<Stroke, 'curve' | 'points'>,
@@ -58,7 +58,7 @@ function flattenBezier(points: readonly Uv[]): Uv[] {
   return polyline
 }
 
-/** Lays a UV polyline on the skin by looking up the position of each step in the texture. */
+/** Converts a UV polyline to lines on the skin: looks up the position on the skin at each step. */
 function layInTexture(polyline: readonly Uv[], { surface, locator }: LocatedSkin): TracedLine[] {
   const lines: TracedLine[] = []
   const trail = new Trail(surface)
@@ -92,7 +92,7 @@ function* stepsAlong(polyline: readonly Uv[], step: number): Generator<Uv> {
   }
 }
 
-/** Lays a spline on the skin: walks over the skin below a smooth curve in space through the control points. */
+/** Converts a spline to a line on the skin: walks over the skin along a smooth 3D curve through the control points. */
 function laySpline(uvs: readonly Uv[], { surface, locator }: LocatedSkin): TracedLine[] {
   const [position, weights] = [new Float64Array(3), new Float64Array(3)]
   const anchors: number[] = []
@@ -141,7 +141,10 @@ class Trail {
     this.#triangles.push(triangle)
   }
 
-  /** Adds the points between two control points. They are projected onto the skin, or stay on the curve once it passes the skin's border. */
+  /**
+   * Adds the points of a curve between two control points. The points are projected onto the skin until the curve passes the skin's border.
+   * Later points are added without projection.
+   */
   follow(
     position: Float64Array,
     start: number,
@@ -163,7 +166,7 @@ class Trail {
     }
   }
 
-  /** Moves over the skin to the point directly below or above a target. Returns the final triangle, or -1 at the skin's border. */
+  /** Moves `position` over the skin to the point directly below or above a target. Returns the triangle there, or -1 at the skin's border. */
   #walkTowards(target: Float64Array, triangle: number, position: Float64Array): number {
     const direction = target.map((value, k) => value - position[k])
     const rise = dot(direction, this.#normal)
@@ -171,7 +174,7 @@ class Trail {
     return walk(this.#surface, triangle, position, direction, length(direction))
   }
 
-  /** Returns the distance to the last point, 0 if there is none. */
+  /** Returns the distance from a position to the last added point, or 0 before the first point. */
   distanceTo(position: ArrayLike<number>): number {
     return this.#points.length > 0 ? distance(position, this.#points.slice(-3)) : 0
   }

@@ -11,9 +11,9 @@ export type CurveKind = 'polyline' | 'bezier' | 'spline'
 
 const CURVES = ['polyline', 'bezier', 'spline'] as const satisfies CurveKind[]
 
-/** Wrinkle: a curve on the skin with a measured cross-section. */
+/** Wrinkle, as a curve on the skin and a cross-section: a valley between two raised banks, or a bulge. */
 export interface Stroke {
-  /** Name of the stroke's group. If the document defines no areas, each group gets an area of the same name. */
+  /** Name of the stroke's group. If the document defines no areas of influence, each group gets one with the group's name. */
   group?: string
   /** Name of the stroke's layer, in documents with several layers. */
   layer?: string
@@ -27,22 +27,28 @@ export interface Stroke {
   curve: CurveKind
   /** [u, v], both 0..1, v = 0 at the top. */
   points: Uv[]
-  /** Width of the valley on the skin in millimetres, 0.1..50. With `shoulder` 1, the height is 0 at half the width from the centre line. */
+  /**
+   * Width of the valley or bulge on the skin in millimetres, 0.1..50. A bulge ends at half this width from the centre line. At the same
+   * distance, a valley with `shoulder` 1 and the default `bank` has risen to the height of the surrounding skin.
+   */
   width: number
-  /** Maximum depth of the valley below the skin in millimetres, 0..10. */
+  /**
+   * Maximum depth of the valley below the skin in millimetres, -10..10. A negative depth is the height of a bulge, which has no valley and no
+   * banks: `shoulder`, `bank` and `softness` do not apply.
+   */
   depth: number
-  /** Factors on the depth, 0..1, evenly spaced from the start of the stroke to its end. At least 2; default: 1 everywhere. */
+  /** At least 2 factors on the depth, 0..1, evenly spaced from the start of the stroke to its end. Default: 1 everywhere. */
   depths?: number[]
   /** Fractions of the length, 0..1, over which the wrinkle fades in at its start and out at its end. */
   taper: [start: number, end: number]
   /**
-   * Strengths, 0..1, of the raised banks on both sides of the valley. Left and right are relative to the curve's direction, as seen from
-   * outside. At 1, the banks have the same volume as the valley.
+   * Strengths, 0..1, of the banks on both sides of the valley. Left and right are relative to the curve's direction, as seen from outside.
+   * At 1, the banks have the same volume as the valley.
    */
   shoulder: [left: number, right: number]
   /** Distances in millimetres from the centre line to the outer ends of the banks, 0.1..100; default: 2.2 widths. */
   bank?: [left: number, right: number]
-  /** Asymmetry of the valley, -0.9..0.9, default 0: `(1 - lean) / 2` of the width is left of the centre line, the rest right of it. */
+  /** Asymmetry of the valley or bulge, -0.9..0.9, default 0: `(1 - lean) / 2` of the width is left of the centre line, the rest right of it. */
   lean?: number
   /** Roundness of the valley's bottom, 0..1: 0 = a sharp fold, 1 = a radius of half the valley's width. */
   softness: number
@@ -50,19 +56,24 @@ export interface Stroke {
   waviness: number
 }
 
-/** Strokes of one or several layers, and optionally the areas that show them. */
+/** Wrinkles of a face as strokes, optionally with the areas of influence that the wrinkles appear in. */
 export interface StrokesDocument {
   version: 1
-  /** Millimetres per unit of the mesh's positions; see `SCALE_RANGE`. A life-size face in metres has 1000. */
+  /** Millimetres per unit of the mesh's positions, within `SCALE_RANGE`: 1000 for a life-size face in metres. */
   scale: number
   /** Default width and height of the maps in texels, 16..8192. */
   size?: number
+  /** Random seed of the automatic strokes, an integer, 0..2^31 - 1. `autoWrinkles` uses it to draw the same lines again. */
+  seed?: number
   strokes: Stroke[]
   /** Pattern of fine furrows that cover the skin between the strokes. */
   furrows?: Furrows
   /** Definitions of the areas of influence. Default: one area around the strokes of each group. */
   areas?: AreaDefinition[]
 }
+
+/** Maximum of `StrokesDocument.seed`. */
+const MAX_SEED = 2 ** 31 - 1
 
 /** Minimum and maximum of `StrokesDocument.scale`. */
 export const SCALE_RANGE = [1e-6, 1e6] as const
@@ -99,7 +110,15 @@ const STROKE_FIELDS = [
  */
 export function parseStrokes(json: unknown): StrokesDocument {
   const read = new JsonReader('parseStrokes')
-  const root = read.object(json, 'the document', ['version', 'scale', 'size', 'strokes', 'furrows', 'areas'])
+  const root = read.object(json, 'the document', [
+    'version',
+    'scale',
+    'size',
+    'seed',
+    'strokes',
+    'furrows',
+    'areas',
+  ])
   if (root.version !== 1) read.fail('unknown version', root.version, '1', 'write "version": 1')
   const document: StrokesDocument = {
     version: 1,
@@ -107,6 +126,7 @@ export function parseStrokes(json: unknown): StrokesDocument {
     strokes: read.array(root.strokes, 'strokes', 1, 10_000).map((stroke, i) => readStroke(read, stroke, i)),
   }
   if (root.size !== undefined) document.size = readSize(read, root.size)
+  if (root.seed !== undefined) document.seed = read.integer(root.seed, 'seed', 0, MAX_SEED)
   if (root.furrows !== undefined) document.furrows = readFurrows(read, root.furrows)
   if (root.areas !== undefined) {
     const areas = read.array(root.areas, 'areas', 1, MAX_AREAS)
@@ -138,7 +158,7 @@ function readStroke(read: JsonReader, json: unknown, index: number): Stroke {
     curve,
     points,
     width: read.number(field.width, `${path}.width`, 0.1, 50, 'mm'),
-    depth: read.number(field.depth, `${path}.depth`, 0, 10, 'mm'),
+    depth: read.number(field.depth, `${path}.depth`, -10, 10, 'mm'),
     taper: read.pair(orDefault(field.taper, STROKE_DEFAULTS.taper), `${path}.taper`, 0, 1),
     shoulder: read.pair(orDefault(field.shoulder, STROKE_DEFAULTS.shoulder), `${path}.shoulder`, 0, 1),
     softness: read.number(orDefault(field.softness, STROKE_DEFAULTS.softness), `${path}.softness`, 0, 1, ''),

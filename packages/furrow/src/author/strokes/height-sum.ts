@@ -2,12 +2,13 @@ import { power } from '../../math/elementary.ts'
 import { lerp } from '../../math/scalar.ts'
 import type { Metric } from '../metric.ts'
 import type { CrossSection, LaidStroke } from './lay-out.ts'
-import { bankAt, valleyAt } from './profile.ts'
+import { bankAt, bulgeAt, valleyAt } from './profile.ts'
 
 /**
- * Exponents of the norms that combine overlapping strokes. Two valleys of depths a and b have the depth `(a^6 + b^6)^(1/6)`, at most 12%
- * more than the deeper one, because crossing wrinkles do not add up. Two banks of heights a and b have the height `sqrt(a^2 + b^2)`, so that
- * the banks between two neighbouring wrinkles merge into one bulge.
+ * Exponents of the norms that combine overlapping strokes (wrinkles). A stroke has a valley and raised banks on both sides. Two valleys of
+ * depths a and b combine to the depth `(a^6 + b^6)^(1/6)`, because the depths of crossing wrinkles do not add up. This depth exceeds that of
+ * the deeper valley by at most 12%. Two banks of heights a and b combine to the height `sqrt(a^2 + b^2)`: banks between two wrinkles merge
+ * into one bulge. The heights of bulges (strokes with a negative depth) are added to the result, because wrinkles follow the shape of bulges.
  */
 const JOIN = { valleys: 6, banks: 2 } as const
 /** Fraction of the light lost at the bottom of a valley whose depth equals its half width. */
@@ -16,33 +17,36 @@ const SHADE = 1.1
 const MAX_SHADE = 0.75
 
 /**
- * Minimum half width of a drawn valley, in half texels. Narrower valleys would look like dotted lines, because their bottom has full depth
- * at a texel's centre and half the depth between two texels.
+ * Minimum half width of a drawn valley, in half texels. A narrower valley would look like a dotted line: deep where its bottom crosses the
+ * centre of a texel, and half as deep where its bottom passes between two texels.
  */
 const NARROWEST = 3
 
-/** Combines the strokes at a texel: valleys with valleys, and banks with banks (see `JOIN`). The height is banks minus valleys. */
+/** Combines all strokes at a texel: valleys with valleys, banks with banks, and bulges with bulges (see `JOIN`). */
 export class HeightSum {
-  /** Sum of the valleys' depths to the power `JOIN.valleys`. */
+  /** Sum of `depth ** JOIN.valleys` of all valleys. */
   valleys = 0
-  /** Sum of the banks' heights to the power `JOIN.banks`. */
+  /** Sum of `height ** JOIN.banks` of all banks. */
   banks = 0
-  /** Maximum fraction of the light lost to one stroke. */
+  /** Sum of the heights of all bulges in millimetres. */
+  bulges = 0
+  /** Fraction of the light, 0..1, that the darkest stroke occludes. */
   shade = 0
 
   clear(): void {
-    this.valleys = this.banks = this.shade = 0
+    this.valleys = this.banks = this.bulges = this.shade = 0
   }
 
-  /** Adds a depth to the power `JOIN.valleys` and a height to the power `JOIN.banks`. */
-  add(valley: number, bank: number): void {
+  /** Adds one stroke. */
+  add({ valley, bank, bulge }: StrokePowers): void {
     this.valleys += valley
     this.banks += bank
+    this.bulges += bulge
   }
 
   /** Millimetres above (+) or below (-) the smooth skin. */
   get height(): number {
-    return Math.fround(Math.sqrt(this.banks) - power(this.valleys, 1 / JOIN.valleys))
+    return Math.fround(Math.sqrt(this.banks) - power(this.valleys, 1 / JOIN.valleys) + this.bulges)
   }
 
   /** Occlusion byte: 255 = unoccluded. */
@@ -53,14 +57,21 @@ export class HeightSum {
 
 /** Numbers that a stroke adds to a `HeightSum`. */
 export interface StrokePowers {
+  /** `depth ** JOIN.valleys`. */
   valley: number
+  /** `height ** JOIN.banks`. */
   bank: number
+  /** Height in millimetres. */
+  bulge: number
 }
 
+/** Scratch, reused per stroke. */
+const POWERS: StrokePowers = { valley: 0, bank: 0, bulge: 0 }
+
 /**
- * Adds a stroke to the sum of a texel. The parameters `distance`, `segment`, `t` and `side` are those of `LineVisitor`.
+ * Adds a stroke to the sum of a texel. `LineVisitor` describes the parameters `distance`, `segment`, `t` and `side`.
  *
- * @param sharpest half the texel's size in millimetres. Valleys and banks are rounded by this radius, and it is the unit of `NARROWEST`.
+ * @param sharpest half the texel's size in millimetres: the minimum radius of the valley's bottom, and the unit of `NARROWEST`.
  * @param out receives the added numbers.
  */
 export function addStroke(
@@ -71,14 +82,14 @@ export function addStroke(
   t: number,
   side: number,
   sharpest: number,
-  out?: StrokePowers,
+  out: StrokePowers = POWERS,
 ): void {
   const depth = lerp(stroke.depths[segment], stroke.depths[segment + 1], t)
   const halfWidth = lerp(stroke.halfWidths[segment], stroke.halfWidths[segment + 1], t)
   addSection(sum, stroke, depth, halfWidth, distance, side, sharpest, out)
 }
 
-/** Adds one point of a stroke's cross-section to a sum. The parameters are those of `addStroke`. */
+/** Does the same as `addStroke`, for a given depth and half width in millimetres. A negative depth is the height of a bulge. */
 export function addSection(
   sum: HeightSum,
   { shoulder, banks, lean, softness }: CrossSection,
@@ -87,22 +98,27 @@ export function addSection(
   distance: number,
   side: number,
   sharpest: number,
-  out?: StrokePowers,
+  out: StrokePowers = POWERS,
 ): void {
   const right = 0.5 + 0.5 * side
   const wall = halfWidth * (1 + lean * side)
+  out.valley = out.bank = out.bulge = 0
+  if (depth < 0) {
+    out.bulge = -depth * bulgeAt(distance / wall)
+    sum.add(out)
+    return
+  }
   const widened = Math.max(1, (NARROWEST * sharpest) / wall)
   const valley = depth * valleyAt(distance / wall, Math.max(softness, sharpest / (widened * wall)), widened)
   const reach = lerp(banks[0], banks[1], right)
-  // Round the edge where the bank rises from the bottom.
+  // Round the sharp edge of the bank at the bottom of the valley.
   const rounded = sharpest > 0 ? distance / Math.sqrt(distance * distance + sharpest * sharpest) : 1
   const bank = depth * rounded * bankAt(distance / halfWidth, reach, lerp(shoulder[0], shoulder[1], right))
   sum.shade = Math.max(sum.shade, (valley / (widened * halfWidth)) * SHADE)
   const cube = valley * valley * valley
-  sum.add(cube * cube, bank * bank)
-  if (!out) return
   out.valley = cube * cube
   out.bank = bank * bank
+  sum.add(out)
 }
 
 /** Returns half the longer side of a texel in millimetres. */

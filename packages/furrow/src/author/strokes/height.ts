@@ -23,11 +23,11 @@ export interface DrawnStrokes {
 }
 
 /**
- * Draws strokes as a height map. Distances are measured in 3D, so texture stretch and UV seams do not show. Where strokes overlap,
- * `HeightSum` combines their valleys and banks; the order of strokes does not matter. Valleys narrower than three texels are drawn wider and
+ * Draws strokes (wrinkles) as a height map. Distances are measured in 3D, so texture stretch and UV seams do not show. Where strokes overlap,
+ * `HeightSum` combines their heights; the order of strokes does not matter. Wrinkles narrower than three texels are drawn wider and
  * shallower. Parts of strokes outside the skin are skipped.
  *
- * @param progress called with the finished share of the work, as a number of strokes, and the total number of strokes.
+ * @param progress called with the progress as a number of strokes (not rounded), and with the total number of strokes.
  * @throws FurrowError if the strokes are longer than 100 m in total.
  */
 export function strokesToHeight(
@@ -40,7 +40,7 @@ export function strokesToHeight(
     .heights
 }
 
-/** Draws strokes that are already laid on the skin. */
+/** Draws heights and occlusion of strokes that `layOutStrokes` has laid on the skin. */
 export function drawStrokes(
   strokes: readonly LaidStroke[],
   { texels, metric }: Pick<SkinCanvas, 'texels' | 'metric'>,
@@ -67,9 +67,9 @@ export function flatSkin(width: number, height: number): DrawnStrokes {
   }
 }
 
-/** Draws strokes texel by texel. The value of a texel depends only on the strokes within reach of it. */
+/** Draws strokes texel by texel. A stroke changes only texels within its reach (`reachOf`). */
 export class StrokePen {
-  /** Returns whether a stroke may be within reach of a box, given by its lowest and highest x, y and z. */
+  /** Returns whether a stroke may reach into a box, given by its lowest and highest x, y and z in millimetres. */
   readonly isNear: LineGrid['isNear']
   readonly #strokes: readonly LaidStroke[]
   readonly #grid: LineGrid
@@ -81,7 +81,7 @@ export class StrokePen {
 
   /**
    * @param drawn receives the maps.
-   * @param others further strokes to draw, with cached results.
+   * @param others further strokes to draw, whose contributions to each texel are cached.
    */
   constructor(strokes: readonly LaidStroke[], metric: Metric, drawn: DrawnStrokes, others?: OtherStrokes) {
     this.#strokes = strokes

@@ -16,7 +16,7 @@ export type SectionStyle = Readonly<
   }
 >
 
-/** Cross-section of a stroke. Heights are relative to the valley's depth, and distances to its half width. */
+/** Shape of a stroke's cross-section: a valley with a raised bank on each side. `LaidStroke` adds its size. */
 export interface CrossSection {
   /** Strengths of the raised banks, 0..1; see `Stroke.shoulder`. */
   shoulder: readonly [left: number, right: number]
@@ -26,11 +26,13 @@ export interface CrossSection {
   softness: number
 }
 
-/** Part of a stroke laid on the skin, with its cross-section at each point. */
+/** Uninterrupted part of a stroke as a line on the skin, with the size of its valley at each point. */
 export interface LaidStroke extends SkinLine, CrossSection {
-  /** Depth and half width of the valley at each point, in millimetres. */
+  /** Depth (negative: height of a bulge) and half width at each point, in millimetres. */
   depths: Float64Array
   halfWidths: Float64Array
+  /** Whether the stroke raises the skin, and has no valley. */
+  isBulge: boolean
   /** Start and end of this part, as fractions of the stroke's length, 0..1. */
   span: readonly [start: number, end: number]
 }
@@ -38,20 +40,21 @@ export interface LaidStroke extends SkinLine, CrossSection {
 /** Maximum segment length in millimetres. It is well below the width of the thinnest visible wrinkle. */
 const MAX_SEGMENT = 0.5
 const MAX_SEGMENTS = 8192
-/** Maximum total length of strokes in millimetres. Lines a millimetre apart across a face of 300 x 300 mm are 90 m long. */
+/** Maximum total length of strokes in millimetres. */
 export const MAX_TOTAL_LENGTH = 100_000
 /** Width at a tapered end as a fraction of the stroke's width. The depth is zero there. */
 const END_WIDTH = 0.4
 /**
- * Default reach of banks, in widths. It makes the height zero at half a width from the centre line if `shoulder` is 1. There, bank and valley
- * cancel: `12 * x^2 * (1 - x)^2 = 1 / e` for `x = 1 / (2 * BANK_WIDTHS)`.
+ * Default distance from the centre line to the outer end of a bank, in widths of the valley. With this value and `shoulder` 1, the skin has its
+ * original height at half a width from the centre line. There, `bankAt` is `12 * x^2 * (1 - x)^2` with `x = 1 / (2 * BANK_WIDTHS)`, and equals
+ * `valleyAt`, which is `1 / e`.
  */
 export const BANK_WIDTHS = 2.2055
-/** Wavelength of the waviness in millimetres. A second, weaker octave has 0.4 of this wavelength. */
+/** Wavelength in millimetres of the noise that makes strokes wavy. A second, weaker octave has 0.4 times this wavelength. */
 const WAVELENGTH = 9
 
 /**
- * Lays strokes on the skin; see `layOutStroke`.
+ * Converts each stroke to lines on the skin with `layOutStroke`.
  *
  * @returns the parts of each stroke.
  * @throws FurrowError if the total length exceeds `MAX_TOTAL_LENGTH`, because the drawing time grows with the length.
@@ -73,7 +76,7 @@ export function layOutStrokes(strokes: readonly Stroke[], skin: LocatedSkin): La
   })
 }
 
-/** Lays a stroke on the skin. Returns several parts if the stroke is interrupted, none if it is outside the skin. */
+/** Converts a stroke to lines on the skin. Returns several parts if the stroke is interrupted, none if it is outside the skin. */
 export function layOutStroke(stroke: Stroke, skin: LocatedSkin): LaidStroke[] {
   const lines = layCurve(stroke, skin)
   const lengths = lines.map(arcLengths)
@@ -86,12 +89,17 @@ export function layOutStroke(stroke: Stroke, skin: LocatedSkin): LaidStroke[] {
   })
 }
 
-/** Returns the maximum drawing distance from a stroke's centre line, in millimetres. */
-export function reachOf(stroke: LaidStroke): number {
-  return sectionReach(stroke) * stroke.halfWidths.reduce((a, b) => Math.max(a, b), 0)
+/** Returns whether a stroke raises the skin, and has no valley. */
+export function isBulge({ depth }: Pick<Stroke, 'depth'>): boolean {
+  return depth < 0
 }
 
-/** Derives the cross-section of a stroke. */
+/** Returns the reach of a stroke in millimetres. The stroke changes no heights farther than this from its centre line. */
+export function reachOf(stroke: LaidStroke): number {
+  const reach = stroke.isBulge ? 1 + Math.abs(stroke.lean) : sectionReach(stroke)
+  return reach * stroke.halfWidths.reduce((a, b) => Math.max(a, b), 0)
+}
+
 export function sectionOf({
   width,
   shoulder,
@@ -102,7 +110,7 @@ export function sectionOf({
   return { shoulder, banks: [(2 * bank[0]) / width, (2 * bank[1]) / width], lean, softness }
 }
 
-/** Returns the reach of a cross-section from its centre, in half widths. */
+/** Returns the reach of a cross-section in half widths of the valley. The skin is flat farther than this from the centre line. */
 export function sectionReach({ banks, lean }: CrossSection): number {
   return Math.max(VALLEY_REACH * (1 + Math.abs(lean)), ...banks)
 }
@@ -121,7 +129,6 @@ export function arcLengths({ points }: Pick<SkinLine, 'points'>): Float64Array {
   return lengths
 }
 
-/** Resamples a line into equal segments. */
 function resample(line: SkinLine, lengths: Float64Array): SkinLine {
   const length = lengths[lengths.length - 1]
   const segments = clamp(Math.ceil(length / MAX_SEGMENT), 2, MAX_SEGMENTS)
@@ -142,10 +149,10 @@ function resample(line: SkinLine, lengths: Float64Array): SkinLine {
 }
 
 /**
- * Computes the cross-sections along a line.
+ * Computes the valley's depth and width along one part of a stroke, and applies the waviness.
  *
- * @param start start of the line along the stroke, in millimetres.
- * @param end end of the line along the stroke, in millimetres.
+ * @param start arc length in millimetres from the start of the stroke to the start of the part.
+ * @param end arc length in millimetres from the start of the stroke to the end of the part.
  * @param total length of the complete stroke in millimetres.
  */
 function shapeLine(stroke: Stroke, line: SkinLine, start: number, end: number, total: number): LaidStroke {
@@ -154,6 +161,7 @@ function shapeLine(stroke: Stroke, line: SkinLine, start: number, end: number, t
   const [depths, halfWidths] = [new Float64Array(segments + 1), new Float64Array(segments + 1)]
   const points = line.points.slice()
   const seed = seedOf(stroke.points[0])
+  const isRaised = isBulge(stroke)
   const right = new Float64Array(3)
   for (let i = 0; i <= segments; i++) {
     const s = lerp(start, end, i / segments)
@@ -166,10 +174,19 @@ function shapeLine(stroke: Stroke, line: SkinLine, start: number, end: number, t
     }
     const shallower = 0.5 * waviness * (0.5 + 0.5 * noise(s / WAVELENGTH, seed + 2))
     depths[i] = depth * fade * depthFactor(stroke.depths, s / total) * (1 - shallower)
-    halfWidths[i] = (width / 2) * (END_WIDTH + (1 - END_WIDTH) * fade)
+    // The ends of a bulge are as wide as its middle, because pointed ends would look like a leaf.
+    halfWidths[i] = (width / 2) * (isRaised ? 1 : END_WIDTH + (1 - END_WIDTH) * fade)
   }
   const span = [start / total, end / total] as const
-  return { points, normals: line.normals, depths, halfWidths, ...sectionOf(stroke), span }
+  return {
+    points,
+    normals: line.normals,
+    depths,
+    halfWidths,
+    ...sectionOf(stroke),
+    isBulge: isRaised,
+    span,
+  }
 }
 
 /** Computes the unit vector that is tangent to the skin and points to the right of a line, as seen from outside. */

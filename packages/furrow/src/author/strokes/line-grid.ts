@@ -1,19 +1,18 @@
 import type { SkinLine } from './curve.ts'
 import { LineSegments } from './line-segments.ts'
 
-/** Minimum edge length of a cell in millimetres. */
+/** Minimum edge length of a cell in millimetres. A cell is a cube of the grid's finest level. */
 const MIN_CELL = 4
 /** Maximum number of cells along the longest axis. On very large skin, cells grow so that cell indices stay exact. */
 const MAX_CELLS_PER_AXIS = 2 ** 16
-/** Ratio between the edge lengths of cubes in two successive levels. The cubes of the lowest level are the cells. */
+/** Ratio between the edge lengths of cubes in two successive levels. */
 const BRANCHING = 4
-/** Maximum count of numbers cached per level. A level that exceeds it is emptied, to bound the memory. */
+/** Maximum number of segment indices cached per level. A level that exceeds this number is emptied, to bound the memory. */
 const MAX_CACHED = 2 ** 21
-/** Distance from the centre of a cube to its corners, as a multiple of half the edge length, with a margin for rounding. */
+/** Distance from a cube's centre to its corners, as a multiple of half the edge length, with a margin for rounding. */
 const RADIUS = 1.0005 * Math.sqrt(3)
-/** Maximum number of cells that `isNear` searches. It returns true for boxes with more cells. */
+/** Maximum number of cells that `isNear` searches. For boxes with more cells, `isNear` returns true. */
 const MAX_CELLS = 4096
-/** Marks a missing segment index. */
 const NONE = -1
 const NO_RUNS = new Int32Array(0)
 /**
@@ -21,10 +20,10 @@ const NO_RUNS = new Int32Array(0)
  *
  * @param line index of the line.
  * @param distance distance from the position to the nearest point, in millimetres.
- * @param segment index of the line's point that starts the segment with the nearest point.
+ * @param segment index of the segment with the nearest point. Segment i joins the points i and i + 1 of the line.
  * @param t position of the nearest point along the segment, 0..1.
  * @param side -1 if the position is left of the line as seen from outside, 1 if it is right, 0 on the line. Around the ends of the line, the
- *   value changes continuously.
+ *   value changes continuously between -1 and 1.
  */
 export type LineVisitor = (line: number, distance: number, segment: number, t: number, side: number) => void
 
@@ -43,24 +42,23 @@ interface Level {
 }
 
 /**
- * Finds the lines near a position on the skin with a hierarchical grid of cubes. Cubes are filled on first access, because few cubes are
- * within reach of a line. A cube finds its segments among those of the larger cube that contains it. Results at a position depend only on
- * the lines within reach.
+ * Uses a hierarchical grid of cubes to find the lines near a position on the skin. Each cube caches the line segments within reach. The first
+ * query in a cube selects them from the segments of the next larger cube. Results at a position depend only on the lines within reach.
  */
 export class LineGrid {
   readonly #reaches: readonly number[]
   /** Edge length of a cell in millimetres. */
   readonly #cell: number
   readonly #segments: LineSegments
-  /** Nearest segment of each line at the last visited position. The next position mostly has the same one. */
+  /** For each line, the segment nearest to the previously visited position. It is mostly nearest to the next position too. */
   readonly #last: Int32Array
-  /** Levels, from the cells to the largest cubes. */
+  /** Levels of the grid, smallest cubes first. */
   readonly #levels: readonly Level[]
-  /** Count of numbers cached per level. */
+  /** Number of segment indices cached per level. */
   readonly #held: number[]
-  /** Cell of the last visited position. The next position is mostly in the same cell. */
+  /** Cell of the previous position, cached because the next position is mostly in the same cell. */
   #around: { i: number; j: number; k: number; cell: Int32Array } = { i: NaN, j: NaN, k: NaN, cell: NO_RUNS }
-  /** First and last cell within reach of any line, along each axis. */
+  /** Indices of the first and the last cell within reach of any line, along x, y and z. */
   readonly #low = [Infinity, Infinity, Infinity]
   readonly #high = [-Infinity, -Infinity, -Infinity]
 
@@ -75,7 +73,7 @@ export class LineGrid {
     this.#held = this.#levels.map(() => 0)
   }
 
-  /** Returns whether a line may be within reach of a box, given by its lowest and highest x, y and z. */
+  /** Returns whether a line may be within reach of a box, given by its lowest and highest x, y and z in millimetres. */
   readonly isNear = (low: ArrayLike<number>, high: ArrayLike<number>): boolean => {
     const left = Math.max(this.#cellOf(low[0]), this.#low[0])
     const right = Math.min(this.#cellOf(high[0]), this.#high[0])
@@ -93,7 +91,7 @@ export class LineGrid {
     return false
   }
 
-  /** Returns whether a line is within reach of a position, regardless of its normals. */
+  /** Returns whether a line is within reach of a position. Unlike `visit`, ignores normals. */
   isWithinReach(position: ArrayLike<number>): boolean {
     const [x, y, z] = [position[0], position[1], position[2]]
     const cell = this.#cellAround(x, y, z)
@@ -109,9 +107,9 @@ export class LineGrid {
   }
 
   /**
-   * Visits each line within reach of a position once, by ascending index. Only segments whose normal is similar to the skin's normal count.
+   * Visits each line within reach of a position once, by ascending index. Ignores segments that `LineSegments.faces` rejects.
    *
-   * @param position position on the skin.
+   * @param position position on the skin in millimetres.
    * @param normal unit normal of the skin at the position.
    */
   visit(position: ArrayLike<number>, normal: ArrayLike<number>, visit: LineVisitor): void {
@@ -128,7 +126,7 @@ export class LineGrid {
         nearest = last
         least = segments.squareTo(last, x, y, z)
       }
-      /** Search radius: segments farther away are out of reach, or `last` is nearer. */
+      /** Search radius: segments farther away are beyond the line's reach, or farther than `last`. */
       const most = Math.min(this.#reaches[line], Math.sqrt(least))
       const far = segments.farFrom(line, most)
       for (; run < cell.length && segments.lineOf[cell[run]] === line; run += 2) {
@@ -161,7 +159,7 @@ export class LineGrid {
     }
   }
 
-  /** Returns the runs of the cell that contains a position. */
+  /** Returns the segments within reach of the cell that contains a position, in the format of `LineSegments.runs`. */
   #cellAround(x: number, y: number, z: number): Int32Array {
     const [i, j, k] = [this.#cellOf(x), this.#cellOf(y), this.#cellOf(z)]
     const around = this.#around
@@ -174,7 +172,7 @@ export class LineGrid {
     return cell
   }
 
-  /** Returns the runs of a cube, given by its index along each axis. */
+  /** Returns the segments within reach of a cube, in the format of `LineSegments.runs`. The cube is given by its index along each axis. */
   #cubeAt(level: number, x: number, y: number, z: number): Int32Array {
     if (level === this.#levels.length) return this.#segments.runs
     const { side, low, rows, layers, cubes } = this.#levels[level]
@@ -192,7 +190,7 @@ export class LineGrid {
     return cube
   }
 
-  /** Creates levels until a cube spans nearly all cells within reach of any line. */
+  /** Creates levels of growing cubes, until the next cube would be as large as the region within reach of all lines. */
   #levelsOf(): Level[] {
     const levels: Level[] = []
     const extent = Math.max(...this.#high.map((high, k) => high - this.#low[k]))
@@ -206,7 +204,7 @@ export class LineGrid {
     return levels
   }
 
-  /** Returns the part of `runs` within reach of a cube, which has the indices `x`, `y`, `z` and the edge length `side`. */
+  /** Returns the segments of `runs` within reach of the cube with the indices `x`, `y`, `z` and the edge length `side`. */
   #within(runs: Int32Array, x: number, y: number, z: number, side: number): Int32Array {
     const radius = (side / 2) * RADIUS
     const [px, py, pz] = [(x + 0.5) * side, (y + 0.5) * side, (z + 0.5) * side]

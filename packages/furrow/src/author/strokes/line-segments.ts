@@ -1,20 +1,20 @@
 import { length2 } from '../../math/vector.ts'
 import type { SkinLine } from './curve.ts'
 
-/** Factor on a distance that keeps it a lower bound despite rounding. */
+/** Factor that makes a computed distance a lower bound of the exact one, despite rounding errors. */
 const ROUNDED = 1 - 1e-6
-/** Minimum cosine between the normals of a line and of the skin that it marks. It keeps lines on one lip from marking the other lip. */
-const FACING = 0.25
+/** A line affects skin only if the cosine between their normals is at least this. Otherwise, a line on one lip would affect the other lip. */
+export const FACING = 0.25
 /** Numbers per segment: start, vector to its end, inverse of its squared length, normal. */
 const STRIDE = 10
 
-/** Segments of lines on the skin, packed for tight loops. Positions are in millimetres. */
+/** Segments of lines on the skin, packed into arrays for fast distance queries. Positions are in millimetres. */
 export class LineSegments {
-  /** Line of each segment. */
+  /** Index of each segment's line. */
   readonly lineOf: Int32Array
   /** Index of each segment's start point in its line. */
   readonly pointOf: Int32Array
-  /** All segments as runs of successive indices, one run per line. A run is a pair of numbers: its first index, and its last index plus 1. */
+  /** All segments, as one run of successive indices per line. A run is a pair of numbers: its first index, and its last index plus 1. */
   readonly runs: Int32Array
   readonly #numbers: Float64Array
   /** Length of the longest segment of each line in millimetres. */
@@ -72,8 +72,8 @@ export class LineSegments {
   }
 
   /**
-   * Returns on which side of a segment a position is: 1 = right, -1 = left. Around an end of the line, returns the sine of the angle between
-   * the segment and the direction from that end to the position. The angle is measured in the tangent plane, because skin is curved.
+   * Returns -1 if a position is left of a segment, 1 if it is right. Around an end of the line, returns the sine of the angle between the
+   * segment and the direction from that end to the position. The angle is measured in the tangent plane, because skin is curved.
    *
    * @param t result of `fractionAt` for the same segment and position.
    */
@@ -83,7 +83,7 @@ export class LineSegments {
     const vx = x - s[k]
     const vy = y - s[k + 1]
     const vz = z - s[k + 2]
-    // `dot(normal, cross(segment, offset))` is positive on the left. Like `beyond`, it is scaled by the segment's length.
+    // `dot(normal, cross(segment, position - start))` is positive on the left. `left` and `beyond` are distances times the segment's length.
     const left =
       s[k + 7] * (s[k + 4] * vz - s[k + 5] * vy) +
       s[k + 8] * (s[k + 5] * vx - s[k + 3] * vz) +
@@ -96,7 +96,7 @@ export class LineSegments {
   }
 
   /**
-   * Returns the number of steps from a segment to the next one of its line that may be within `distance` of a position.
+   * Returns how many segments a search can advance. All segments that it skips are farther than `distance` from a position.
    *
    * @param square squared distance from the position to the current segment.
    */

@@ -1,12 +1,12 @@
 import { quadraticForm } from '../../math/quadratic-form.ts'
 import { type Metric, metricAt } from '../metric.ts'
 
-/** Factor that enlarges the searched region, because the metric at the polyline differs from the metric at the texels. */
+/** Factor on the search distance, because the search uses the metric (millimetres per UV step) at the polyline instead of at the texels. */
 const SLACK = 1.5
 
 /**
  * Visits every texel within `reach` millimetres of a UV polyline once, with its distance in millimetres.
- * Distances are computed with the metric at the texel: they are exact where the metric is constant, and approximate elsewhere.
+ * Distances are computed with the metric at the texel. They are exact where the metric is constant, and approximate elsewhere.
  *
  * @param points packed uv.
  */
@@ -24,7 +24,7 @@ export function visitTexelsNear(
   for (let i = 0; i < segments; i++) {
     const [u0, v0, u1, v1] = [points[2 * i], points[2 * i + 1], points[2 * i + 2], points[2 * i + 3]]
     metricAt(metric, (u0 + u1) / 2, (v0 + v1) / 2, form)
-    // Steps of length `reach` form an ellipse in UV space. Compute half its width and height.
+    // Points at the distance `reach` form an ellipse in UV space. Compute half its width and height.
     const det = form[0] * form[2] - form[1] * form[1]
     const du = SLACK * reach * Math.sqrt(form[2] / det)
     const dv = SLACK * reach * Math.sqrt(form[0] / det)

@@ -6,19 +6,19 @@ import type { Metric } from '../metric.ts'
 import type { SkinCanvas } from '../skin/canvas.ts'
 import type { AreaDefinition, AreaShape, GroupShape, PolygonShape } from './area-definitions.ts'
 import type { Stroke, StrokesDocument } from './document.ts'
-import { layOutStrokes } from './lay-out.ts'
+import { isBulge, layOutStrokes } from './lay-out.ts'
 import { LineGrid } from './line-grid.ts'
 import { visitTexelsNear } from './near-outline.ts'
 
-/** Area painted from a strokes document. */
+/** Area of influence: a map of weights that tells where a group of wrinkles appears. */
 export interface PaintedArea {
   name: string
-  /** Weights at the canvas's size, 255 = fully visible. */
+  /** Weights, 255 = fully visible. The image has the size of the canvas. */
   weights: GrayImage
 }
 
-/** Shape around the strokes of each group if the document defines no areas, in millimetres. */
-export const GROUP_SHAPE = { radius: 7, feather: 8 } as const
+/** Minimum radius and soft edge, in millimetres, of the area around a group's strokes if the document defines no areas. */
+const GROUP_SHAPE = { radius: 7, feather: 8 } as const
 
 /**
  * Paints the areas of a strokes document at the canvas's size. If the document defines no areas, paints one area around the strokes of each
@@ -42,7 +42,6 @@ export function paintAreas(document: StrokesDocument, canvas: SkinCanvas): Paint
   }))
 }
 
-/** Returns the names of the areas that `paintAreas` paints. */
 export function paintedNames(document: StrokesDocument): string[] {
   return definitionsOf(document).map(({ name }) => name)
 }
@@ -53,7 +52,22 @@ function definitionsOf({ areas, strokes }: StrokesDocument): AreaDefinition[] {
 
 function areasOfGroups(strokes: readonly Stroke[]): AreaDefinition[] {
   const groups = new Set(strokes.flatMap((stroke) => stroke.group ?? []))
-  return [...groups].map((group) => ({ name: group, shapes: [{ group, ...GROUP_SHAPE }] }))
+  return [...groups].map((group) => ({
+    name: group,
+    shapes: [
+      groupShape(
+        group,
+        strokes.filter((stroke) => stroke.group === group),
+      ),
+    ],
+  }))
+}
+
+/** Returns the default shape around the strokes of a group. A wide bulge enlarges the radius, so that the weight is 1 up to half its width. */
+export function groupShape(group: string, strokes: readonly Stroke[]): GroupShape {
+  const { radius, feather } = GROUP_SHAPE
+  const radii = strokes.filter(isBulge).map(({ width }) => (width + feather) / 2)
+  return { group, radius: Math.max(radius, ...radii), feather }
 }
 
 /** Paints one area. `strokes` must contain the strokes of the groups that the definition names. */
@@ -100,7 +114,7 @@ function paintGroup(
   return weights
 }
 
-/** Paints a polygon in UV space. Polygons may extend beyond the skin. */
+/** Paints a polygon in UV space. The polygon may extend beyond the skin. */
 function paintPolygon({ polygon, feather }: PolygonShape, metric: Metric): Float32Array {
   const { width, height } = metric
   const weights = new Float32Array(width * height)
@@ -116,7 +130,7 @@ function paintPolygon({ polygon, feather }: PolygonShape, metric: Metric): Float
 }
 
 /**
- * Returns the weight at a distance from an outline: 1 at half a feather inside, 0.5 on the outline, 0 at half a feather outside.
+ * Returns the weight at a distance from an outline: 1 at `feather / 2` inside, 0.5 on the outline, 0 at `feather / 2` outside.
  *
  * @param distance signed distance from the outline in millimetres, positive outside.
  */

@@ -7,40 +7,47 @@ import type { SkinCanvas } from '../skin/canvas.ts'
 import { ChangedTexels, mergeBounds } from './changed-texels.ts'
 import type { Stroke } from './document.ts'
 import { type DrawnStrokes, flatSkin, type HeightMap, StrokePen } from './height.ts'
-import { type LaidStroke, layOutStroke, reachOf } from './lay-out.ts'
-import { LineGrid } from './line-grid.ts'
+import { layOutStroke } from './lay-out.ts'
+import { OnsetLayer } from './onset-layer.ts'
 import { OtherStrokes } from './other-strokes.ts'
+import { gridOf, laidOf, overlap, type PlacedStroke, placeOf } from './placed-stroke.ts'
 
 /** Base normal map and tangent frame of a `StrokeLayer`. */
 export interface StrokeLayerOptions {
   /**
-   * Normal map of the skin without wrinkles, for example with pores and scars, of the canvas's size. The layer keeps a reference and does not
-   * change the map. Default: flat skin.
+   * Normal map of the skin without wrinkles, for example with pores and scars. It must have the canvas's size. The layer keeps a reference
+   * and does not change the map. Default: flat skin.
    */
   base?: RgbaImage
   /** Tangent frame of the normal map; default `orthonormal`. */
   frame?: TangentFrame
+  /** Whether to draw the onset map; default false. */
+  onset?: boolean
 }
 
 /**
- * Maps of one layer that are updated when its strokes change. An edit redraws only the skin within reach of added, removed or replaced
- * strokes. While the same stroke is edited repeatedly, the contributions of all other strokes are cached; `prepare` fills this cache before
- * the first edit. Results are bit-identical to a full redraw with `strokesToHeight`, `heightToNormal` and `combineNormals`.
+ * Height, occlusion, normal and optionally onset map of strokes (wrinkles). When the strokes change, only the skin within reach of added, removed or replaced
+ * strokes is redrawn. While the same stroke is edited repeatedly, the contributions of all other strokes are cached; `prepare` fills this
+ * cache before the first edit. Results are bit-identical to a full redraw with `strokesToHeight`, `heightToNormal`, `combineNormals` and
+ * `strokesToOnset`.
  *
  * Memory: 10 bytes per texel, 64 bytes per half millimetre of stroke, and up to 32 MB while one stroke is edited. Layers with maps of the
  * same size can share a canvas.
  */
 export class StrokeLayer {
-  /** Changed in place by `draw`, like the other maps. */
+  /** `draw` changes this map and the other maps in place. */
   readonly heights: HeightMap
   /** 255 = unoccluded. */
   readonly occlusion: GrayImage
   /** Tangent-space normal map of wrinkles and base, in the encoding of `heightToNormal`. */
   readonly normal: RgbaImage
+  /** Onset map, see `strokesToOnset`. Undefined without the option `onset`. */
+  readonly onset: GrayImage | undefined
   readonly #canvas: SkinCanvas
   readonly #base: RgbaImage | undefined
   readonly #frame: TangentFrame
   readonly #drawn: DrawnStrokes
+  readonly #onset: OnsetLayer | undefined
   #strokes: readonly PlacedStroke[] = []
   /** Cache for the stroke that is being edited. Null if the last change involved several strokes. */
   #edit: Edit | null = null
@@ -50,7 +57,7 @@ export class StrokeLayer {
    *
    * @throws FurrowError if `base` does not have the canvas's size.
    */
-  constructor(canvas: SkinCanvas, { base, frame = 'orthonormal' }: StrokeLayerOptions = {}) {
+  constructor(canvas: SkinCanvas, { base, frame = 'orthonormal', onset = false }: StrokeLayerOptions = {}) {
     const { metric } = canvas
     this.#canvas = canvas
     this.#base = base
@@ -59,14 +66,16 @@ export class StrokeLayer {
     this.heights = this.#drawn.heights
     this.occlusion = this.#drawn.occlusion
     this.normal = heightToNormal(this.heights, metric, frame)
+    this.#onset = onset ? new OnsetLayer(canvas) : undefined
+    this.onset = this.#onset?.map
     if (!base) return
     checkSizes(base, this.normal)
     overlayNormals(base, this.normal, { x0: 0, y0: 0, x1: metric.width, y1: metric.height })
   }
 
   /**
-   * Updates the maps to a new list of strokes. Strokes are compared by identity, so an edit must replace the stroke's object. Strokes whose
-   * order changed also count as changed.
+   * Updates the maps to a new list of strokes. Strokes are compared by identity, so an edit must replace the stroke's object. Reordered
+   * strokes count as changed.
    *
    * @returns changed rectangles in texels. There are several if changes are far apart, for example on both sides of a UV seam.
    */
@@ -83,15 +92,15 @@ export class StrokeLayer {
     })
     const bounds = texels.around(SLOPE_REACH)
     for (const each of bounds) this.#drawNormals(each)
-    return mergeBounds(bounds)
+    return mergeBounds([...bounds, ...(this.#onset?.draw(placed, changed) ?? [])])
   }
 
   /**
-   * Prepares the edit of a stroke: caches the contributions of all other strokes to the skin within its reach. Without this call, `draw`
-   * fills the cache when the stroke is first replaced or removed.
+   * Prepares the edit of a stroke: caches the contributions of all other strokes within the stroke's reach. Without this call, `draw` fills
+   * the cache when the stroke is first replaced or removed.
    *
-   * @returns generator that processes 64 texels per step. The caller may pause it, and call `draw` meanwhile. It ends early if another stroke
-   *   is prepared or edited.
+   * @returns generator that processes 64 texels per step. The caller may call `draw` between steps. The generator ends early if another
+   *   stroke is prepared or edited.
    */
   *prepare(stroke: Stroke): Generator<void, void> {
     const index = this.#strokes.findIndex((each) => each.stroke === stroke)
@@ -109,7 +118,7 @@ export class StrokeLayer {
     }
   }
 
-  /** Returns the edit that leads to the given strokes if only one stroke was added, removed or replaced; otherwise null. */
+  /** Returns the edit that changes `#strokes` to `placed`, or null if more than one stroke was added, removed or replaced. */
   #editTo(placed: readonly PlacedStroke[]): Edit | null {
     if (this.#edit && matchesEdit(placed, this.#edit)) return this.#edit
     const old = this.#strokes
@@ -127,7 +136,7 @@ export class StrokeLayer {
   }
 
   #penFor(changed: readonly PlacedStroke[]): StrokePen {
-    // Unchanged strokes that reach a changed texel are needed too.
+    // Redrawing a texel within reach of a changed stroke requires all strokes that reach this texel.
     const near = this.#strokes.filter(({ box }) => changed.some((other) => overlap(box, other.box)))
     return new StrokePen(laidOf(near), this.#canvas.metric, this.#drawn)
   }
@@ -137,7 +146,7 @@ export class StrokeLayer {
     return new StrokePen(laidOf(own), this.#canvas.metric, this.#drawn, others)
   }
 
-  /** Lays new strokes on the skin, and returns all strokes and the added or removed ones. */
+  /** Lays new strokes on the skin. Returns all strokes, and the strokes that were added or removed. */
   #place(strokes: readonly Stroke[]): { placed: PlacedStroke[]; changed: PlacedStroke[] } {
     const indices = new Map<Stroke, number[]>()
     for (const [i, { stroke }] of this.#strokes.entries())
@@ -165,14 +174,7 @@ export class StrokeLayer {
   }
 }
 
-interface PlacedStroke {
-  stroke: Stroke
-  laid: readonly LaidStroke[]
-  /** Bounding box of the space within reach of the stroke: lowest x, y and z, then highest. */
-  box: Float64Array
-}
-
-/** Edit of one stroke. */
+/** Data for repeated edits of one stroke. */
 interface Edit {
   /** Strokes before the edited one in the list. */
   before: readonly PlacedStroke[]
@@ -181,7 +183,7 @@ interface Edit {
   others: OtherStrokes
 }
 
-/** Returns whether the strokes are those of an edit, with one stroke or none between `before` and `after`. */
+/** Returns whether a list of strokes consists of `before`, at most one stroke, and `after`. */
 function matchesEdit(strokes: readonly PlacedStroke[], { before, after }: Edit): boolean {
   const more = strokes.length - before.length - after.length
   return (
@@ -189,29 +191,4 @@ function matchesEdit(strokes: readonly PlacedStroke[], { before, after }: Edit):
     before.every((each, i) => each === strokes[i]) &&
     after.every((each, i) => each === strokes[before.length + more + i])
   )
-}
-
-function placeOf(laid: readonly LaidStroke[]): Omit<PlacedStroke, 'stroke'> {
-  const box = Float64Array.of(Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity)
-  for (const line of laid) {
-    const reach = reachOf(line)
-    for (const [i, value] of line.points.entries()) {
-      box[i % 3] = Math.min(box[i % 3], value - reach)
-      box[3 + (i % 3)] = Math.max(box[3 + (i % 3)], value + reach)
-    }
-  }
-  return { laid, box }
-}
-
-function overlap(a: Float64Array, b: Float64Array): boolean {
-  return a[0] <= b[3] && b[0] <= a[3] && a[1] <= b[4] && b[1] <= a[4] && a[2] <= b[5] && b[2] <= a[5]
-}
-
-function gridOf(strokes: readonly PlacedStroke[]): LineGrid {
-  const laid = laidOf(strokes)
-  return new LineGrid(laid, laid.map(reachOf))
-}
-
-function laidOf(strokes: readonly PlacedStroke[]): LaidStroke[] {
-  return strokes.flatMap(({ laid }) => laid)
 }

@@ -5,16 +5,16 @@ import { type ImageArray, imageArray } from '../../core/image-array.ts'
 import type { Area } from '../../core/types.ts'
 import type { AreaSlots } from '../../runtime/area-slots.ts'
 
-/** Areas of a set as images of one size, one per slice. */
+/** Weights of all areas of influence of a wrinkle set. They are resampled to one size and packed into one array with a slice per area. */
 export interface AreaSlices extends AreaSlots {
   readonly images: ImageArray
 }
 
 /**
- * Resamples a set's areas to a square grid.
+ * Resamples areas to squares of one size and packs them.
  *
- * @param areas checked areas.
- * @param size side of the grid, texels.
+ * @param areas areas that `checkAreas` has accepted.
+ * @param size width and height of the squares, in texels.
  */
 export function packSlices(
   areas: readonly Area[],

@@ -13,15 +13,15 @@ import { areaTexture } from '../textures.ts'
 import type { AreaSlices } from './area-slices.ts'
 import { GLSL, SAMPLERS, UNIFORMS, WGSL } from './influence-shader.ts'
 
-/** Value in place of the area count that makes the shader skip a cell. */
+/** If the shader reads this value instead of the number of active areas, it does not redraw the cell. */
 const KEEP = -1
 
 /**
- * Influence maps of all faces with one set, one cell per face: per layer, the sum of the face's areas times their activations. One pass
- * redraws all cells in which an activation has changed.
+ * Texture atlas with the influence maps of all faces that share a wrinkle set. Each face has one cell. An influence map contains, for each
+ * layer, the sum of `weight * activation` over the layer's areas. One draw call redraws all cells in which an activation has changed.
  *
- * A texel holds the larger of two values, as an unclamped half float: the sum over areas that combine by `sum`, and the maximum over areas
- * that combine by `max`. Shaders clamp the value to 1 after interpolation, like the reference implementation.
+ * Areas that combine by `max` are not added. A texel stores the larger of two values: the maximum over these areas, and the sum over all
+ * other areas. The stored half float is not clamped. Shaders clamp to 1 after interpolation, like the reference implementation.
  */
 export class InfluenceAtlas implements InfluenceTarget<Scene> {
   readonly cells: AtlasCells
@@ -68,12 +68,12 @@ export class InfluenceAtlas implements InfluenceTarget<Scene> {
     this.#resize()
   }
 
-  /** Whether the effect has compiled or failed. After a failure faces are drawn without influence. */
+  /** Whether compilation of the shader has finished. If it has failed, faces are drawn without wrinkles. */
   get isSettled(): boolean {
     return this.#effect.isReady() || this.#effect.effect.getCompilationError() !== ''
   }
 
-  /** Texture of all cells. */
+  /** Texture with all cells. */
   get map(): ThinTexture {
     return this.#map
   }
@@ -94,11 +94,11 @@ export class InfluenceAtlas implements InfluenceTarget<Scene> {
     return added
   }
 
-  /** Draws the collected cells. */
+  /** Draws all cells that `cells.collect` has marked as changed. */
   draw(): void {
     const { changed, changes } = this.cells
     this.cells.changes = 0
-    // Skipped cells stay outdated, and are collected again in the next frame.
+    // Until the shader is ready, changed cells are not drawn. The next frame collects them again.
     if (changes === 0 || !this.#effect.isReady()) return
     const engine = this.#scene.getEngine()
     engine.setAlphaMode(Constants.ALPHA_DISABLE)
@@ -153,7 +153,7 @@ export class InfluenceAtlas implements InfluenceTarget<Scene> {
       },
     )
     this.#map = new ThinTexture(this.#target.texture)
-    // Bilinear, as in the reference.
+    // Filtering must be bilinear, as in the reference implementation.
     this.#map.anisotropicFilteringLevel = 1
     this.#map.wrapU = this.#map.wrapV = Constants.TEXTURE_CLAMP_ADDRESSMODE
     this.#rows = new Float32Array(4 * this.#columns * (1 + columns * rows))

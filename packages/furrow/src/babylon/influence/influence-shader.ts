@@ -1,11 +1,13 @@
 /**
- * Draws the influence maps of an atlas in one pass: each texel sums the active areas of its cell.
+ * Shader that draws the influence maps of many faces into the cells of an atlas. For each texel, it sums `weight * activation` over the
+ * active areas of the face.
  *
- * Row 0 of `furrowTable` has two texels per area: its bounds, then its slice and layer (+ 4 if the area combines by `max`). Each further row
- * belongs to a cell: the number of active areas (-1 skips the cell), then index and activation of each.
+ * The texture `furrowTable` contains the parameters. Row 0 has two texels per area. The first texel contains the bounds of the area. The second
+ * texel contains the slice of the area, and the index of its layer (plus 4 if the area combines by `max`). Each other row belongs to one cell.
+ * The first texel of the row contains the number of active areas, or -1 if the cell is not redrawn. Each following texel contains the index
+ * and the activation of an active area.
  */
 
-/** Uniforms and samplers of the shader. */
 export const UNIFORMS = ['furrowSize']
 export const SAMPLERS = ['furrowAreas', 'furrowTable']
 

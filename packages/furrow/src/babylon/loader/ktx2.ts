@@ -8,18 +8,19 @@ import type { ArraySlice, GrayImage, RgbaImage, WrinkleSet } from '../../core/ty
 import { fileError } from '../../runtime/file/file-error.ts'
 import { type Transcoded, type TranscodeRequest, transcodeInWorker } from './transcode-worker.ts'
 
-/** Decoded KTX 2 image or array of a file. */
+/** All slices of a decoded KTX 2 file. */
 interface UnpackedArray {
   images: readonly RgbaImage[]
 }
 
 /**
- * Decodes a KTX 2 image or array to 8-bit images, which are processed like images of any other format.
+ * Decodes a KTX 2 image or array to 8-bit RGBA images.
  *
- * @param who names the texture in errors.
- * @param check throws if the image must not be decoded.
+ * @param bytes KTX 2 file; undefined if the texture has no KTX 2 image.
+ * @param who name of the texture in errors.
+ * @param check is called with the size before decoding, and throws if the image is too large.
  * @param transcoderPath folder of `basis_transcoder.js` and `basis_transcoder.wasm`.
- * @throws FurrowError if KHR_texture_basisu does not allow the image, or the transcoder cannot be fetched.
+ * @throws FurrowError if KHR_texture_basisu does not allow the image, or if the transcoder is missing or fails.
  */
 export async function loadKtx2(
   bytes: Uint8Array<ArrayBuffer> | undefined,
@@ -58,11 +59,11 @@ export async function loadKtx2(
   }
 }
 
-/** Replaces the slices decoded by `loadKtx2` with images. */
+/** Returns a copy of a wrinkle set with images instead of slices of the arrays that `loadKtx2` has decoded. */
 export function withImages({ layers, areas }: WrinkleSet<ArraySlice>): WrinkleSet<ArraySlice> {
   return {
     layers: layers.map((layer) => {
-      const { normal, baseColor, roughness, occlusion, blood } = layer
+      const { normal, baseColor, roughness, occlusion, blood, onset } = layer
       return {
         ...layer,
         normal: imageOf(normal),
@@ -70,6 +71,7 @@ export function withImages({ layers, areas }: WrinkleSet<ArraySlice>): WrinkleSe
         ...(roughness && { roughness: grayOf(roughness) }),
         ...(occlusion && { occlusion: grayOf(occlusion) }),
         ...(blood && { blood: grayOf(blood) }),
+        ...(onset && { onset: grayOf(onset) }),
       }
     }),
     areas: areas.map((area) => ({ ...area, weights: grayOf(area.weights) })),
@@ -88,7 +90,7 @@ function folderOf(path: string): URL {
   return new URL(path.endsWith('/') ? path : `${path}/`, location.href)
 }
 
-/** Transcodes in a new worker, which is terminated afterwards. */
+/** Decodes a KTX 2 file in a new web worker, and terminates the worker. */
 async function transcode(request: TranscodeRequest): Promise<Extract<Transcoded, { slices: unknown }>> {
   const url = URL.createObjectURL(new Blob([`(${transcodeInWorker})()`], { type: 'text/javascript' }))
   const worker = new Worker(url)

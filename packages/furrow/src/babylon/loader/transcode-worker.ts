@@ -1,16 +1,16 @@
-/** Message to the worker: addresses of the transcoder, and a KTX 2 file. */
+/** Message to the worker: URLs of the transcoder's script and WebAssembly, and the bytes of a KTX 2 file. */
 export interface TranscodeRequest {
   script: string
   binary: string
   bytes: Uint8Array<ArrayBuffer>
 }
 
-/** Message from the worker: level 0 of all slices as RGBA, or an error message. */
+/** Message from the worker: the largest mipmap level of all slices as RGBA, or an error message. */
 export type Transcoded =
   | { width: number; height: number; slices: Uint8Array<ArrayBuffer>[] }
   | { error: string }
 
-/** Part of Basis Universal's `basis_transcoder.js` that the worker uses. */
+/** Functions of Basis Universal's `basis_transcoder.js` that the worker calls. */
 interface BasisModule {
   initializeBasis(): void
   KTX2File: new (
@@ -35,7 +35,7 @@ interface BasisModule {
   }
 }
 
-/** Complete code of the worker, which is started from this function's text. Must not reference anything outside. */
+/** Code of the worker that decodes KTX 2. The worker runs the text of this function, so the function must not use other code of the module. */
 export function transcodeInWorker(): void {
   const RGBA32 = 13
   const scope = self as unknown as {

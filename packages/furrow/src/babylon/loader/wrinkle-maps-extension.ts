@@ -12,17 +12,17 @@ import type { LoaderOptions, WrinklesOptions } from '../options.ts'
 import { targetNames } from '../sources/morph.ts'
 import { WrinkledMesh } from '../wrinkled-mesh.ts'
 
-/** A face of a file: meshes of one node that share a material with the extension. */
+/** A face in a file: all meshes of one node that share a wrinkled material. */
 interface FileFace {
-  /** Meshes of the face. Drivers read the first one. */
+  /** Meshes of the face. Drivers read inputs from the first mesh. */
   meshes: AbstractMesh[]
-  /** Material index in the file. */
+  /** Index of the material in the file. */
   material: number
 }
 
 /**
- * glTF loader extension of Babylon.js that adds the wrinkles of FURROW_wrinkle_maps. A file never fails to load because of its wrinkles: if
- * they are invalid or unsupported, the face stays plain, with one warning.
+ * Extension of Babylon.js's glTF loader that reads FURROW_wrinkle_maps and adds wrinkles to the loaded meshes. If the wrinkles of a file
+ * are invalid or unsupported, the file is loaded without wrinkles, and a warning is logged.
  */
 export class WrinkleMapsExtension implements IGLTFLoaderExtension {
   readonly name = WRINKLE_MAPS
@@ -38,7 +38,7 @@ export class WrinkleMapsExtension implements IGLTFLoaderExtension {
     this.#transcoderPath = transcoderPath
   }
 
-  /** Adds the wrinkles after everything else is loaded. Babylon.js 8 awaits this hook, but not `onReady`. */
+  /** Loads the scene, and then adds the wrinkles. Babylon.js 8 waits for the promise of this method, but not for `onReady`. */
   async loadSceneAsync(context: string, scene: IScene): Promise<void> {
     await this.#loader.loadSceneAsync(context, scene)
     await this.#addAll()
@@ -57,7 +57,7 @@ export class WrinkleMapsExtension implements IGLTFLoaderExtension {
       const candidates = faces.filter((face) => face.material === material)
       const stayPlain = (error: unknown) => {
         const name = this.#loader.gltf.materials?.[material].name ?? material
-        this.#warnings.add(error, `material ${JSON.stringify(name)} stays plain`)
+        this.#warnings.add(error, `material ${JSON.stringify(name)} is shown without wrinkles`)
       }
       try {
         const wrinkles = await read(material)
@@ -98,7 +98,7 @@ function measureOf({ meshes }: FileFace): FaceMeasure {
   }
 }
 
-/** Returns the faces whose materials have the extension, even if the extension is malformed. */
+/** Finds all faces whose material has the extension, even if the extension is malformed. */
 function facesOf({ gltf }: GLTFLoader): FileFace[] {
   const wrinkled = (gltf.materials ?? []).filter(
     ({ index }) => extensionOf(index, { json: gltf }) !== undefined,
@@ -116,7 +116,7 @@ function meshesOf({ _primitiveBabylonMeshes: meshes }: INode): readonly Abstract
   return meshes ?? []
 }
 
-/** Adapts a loader. Imports the KTX 2 chunk only when a file needs it. */
+/** Adapts the file of a loader to `GltfSource`. The chunk that decodes KTX 2 is imported when a file needs it. */
 function fileOf(loader: GLTFLoader, transcoderPath: string | undefined): GltfSource {
   const { gltf } = loader
   const readBytes: GltfSource['readBytes'] = async (index, who) => {
@@ -151,7 +151,7 @@ function fileOf(loader: GLTFLoader, transcoderPath: string | undefined): GltfSou
   }
 }
 
-/** Copies JSON without the underscore properties that Babylon.js adds, because they reference the scene and are cyclic. */
+/** Copies JSON without the properties that Babylon.js adds to it. Their names begin with an underscore, and their values contain cycles. */
 function withoutPrivateFields(json: unknown): unknown {
   const text = JSON.stringify(json, (name, value) => (name.startsWith('_') ? undefined : value))
   return text && JSON.parse(text)

@@ -1,6 +1,6 @@
 /**
- * Syntax differences between GLSL ES 3.0 and WGSL. Expressions are identical if vectors are constructed by type name and no component is
- * assigned.
+ * Generates statements and declarations in GLSL ES 3.0 or WGSL, so that one generator writes shaders in both languages. Expressions are
+ * the same in both languages if they take type names from the dialect. Code must not assign to single components of a vector.
  */
 export interface Dialect {
   readonly isWgsl: boolean
@@ -9,29 +9,28 @@ export interface Dialect {
   readonly vec2: string
   readonly vec3: string
   readonly vec4: string
-  /** Declares a local variable. */
   local(type: string, name: string, value: string): string
-  /** Declares a global variable, per fragment. */
+  /** Declares a global variable, which has a separate value for each fragment. */
   global(type: string, name: string, value: string): string
-  /** Declares a function. Parameters are pairs of type and name; a null result is void. */
+  /** Declares a function. Parameters are pairs of type and name. `result` is null for a function without a result. */
   declare(
     result: string | null,
     name: string,
     parameters: readonly (readonly [string, string])[],
     body: string,
   ): string
-  /** Value of a material uniform. */
+  /** Reads a uniform of the material. */
   uniform(name: string): string
-  /** Value of a varying, in the fragment shader. */
+  /** Reads a varying in the fragment shader. */
   passed(name: string): string
   derivatives(value: string): readonly [string, string]
-  /** Declares a texture array. */
+  /** Declares a texture array with its sampler. */
   arrayOfMaps(name: string): string
-  /** Declares a texture without mipmaps. */
+  /** Declares a 2D texture with its sampler. The texture has no mipmaps. */
   texture(name: string): string
-  /** Sample with implicit level of detail; in uniform control flow only. */
+  /** Samples a texture array with implicit derivatives. WGSL allows this in uniform control flow only. */
   sampleArray(name: string, uv: string, slice: string): string
-  /** Sample with explicit derivatives. */
+  /** Samples a texture array with the given derivatives. */
   sampleArrayBy(name: string, uv: string, slice: string, dx: string, dy: string): string
   sampleTexture(name: string, uv: string): string
 }

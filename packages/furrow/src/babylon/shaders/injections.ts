@@ -1,14 +1,17 @@
-import type { ValueKind } from '../../runtime/layer-maps.ts'
+import type { ValueKind } from '../../runtime/maps/layer-maps.ts'
 import { type Dialect, GLSL, WGSL } from './dialect.ts'
 import { type MixedLayers, mixing } from './mixing.ts'
 
-/** Materials whose shaders can be patched. */
+/** Material types whose shaders can be patched. */
 export type ShaderKind = 'pbr' | 'standard'
 
-/** Code for a Babylon.js shader. A key is an injection point, or `!` and a regular expression whose match the code replaces. */
+/**
+ * Code that a material plugin of Babylon.js adds to a shader. A key names an injection point of the shader. If the key begins with `!`,
+ * the rest of the key is a regular expression, and the code replaces its match.
+ */
 export type Injections = Record<string, string>
 
-/** Passes the cell of an instance to the fragment shader. */
+/** Returns code that passes the index of an instance's atlas cell to the fragment shader. */
 export function vertexInjections(isWgsl: boolean): Injections {
   const declared = isWgsl
     ? 'attribute furrowCell: f32;\nvarying vFurrowCell: f32;'
@@ -21,14 +24,16 @@ export function vertexInjections(isWgsl: boolean): Injections {
 }
 
 /**
- * Mixes the layers' maps into the material's own where the shader reads them, before lighting. Without a map the material's value is 1.
+ * Returns code that mixes the layers' maps into the material's maps before lighting. If the material has no map of a kind, layers are mixed
+ * into the value 1.
  */
 export function fragmentInjections(kind: ShaderKind, isWgsl: boolean, layers: MixedLayers): Injections {
   const d = isWgsl ? WGSL : GLSL
   const injections = kind === 'pbr' ? pbr(d, layers.values) : standard(d, layers.values)
   injections.CUSTOM_FRAGMENT_DEFINITIONS = mixing(d, layers)
   for (const texel of texels(d, 'bump', 'Bump')) {
-    // Includes the next character to make keys unique: Babylon.js 8 replaces only the first of several equal texts.
+    // The shader may read the normal map several times. Babylon.js 8 replaces only the first match of each key, so keys include the next
+    // character to tell these reads apart.
     for (const next of [',', '*']) {
       injections[replacing(`${texel}.xyz${next}`)] =
         `furrowMixNormals(${texel}.xyz,${d.passed('vBumpUV')}+uvOffset)${next}`
@@ -74,7 +79,7 @@ metallicRoughness.g*=furrowMix_roughness(${one}).x;
       : 'vec3 ambientOcclusionColor=vec3(1.,1.,1.);'
     injections[replacing(unoccluded)] =
       `${unoccluded}\n#ifndef AMBIENT\nambientOcclusionColor=${vec3}(furrowVisibility);\n#endif`
-    // The occlusion of a material without a map would also darken direct light; a map's does not.
+    // Without an occlusion map, Babylon.js would apply the mixed occlusion to direct light too. It must darken only ambient light, as with a map.
     const direct = d.isWgsl
       ? 'var ambientOcclusionForDirectDiffuse: vec3f='
       : 'vec3 ambientOcclusionForDirectDiffuse='
@@ -93,14 +98,14 @@ ${direct}${one};
   return injections
 }
 
-/** Injections for StandardMaterial, which computes in sRGB and has no roughness. */
+/** Returns code for `StandardMaterial`, which computes in sRGB and has no roughness. */
 function standard(d: Dialect, { baseColor, occlusion, blood }: Values): Injections {
   const { vec3, vec4 } = d
   const [toLinear, toGamma] = d.isWgsl
     ? ['toLinearSpaceVec3', 'toGammaSpaceVec3']
     : ['toLinearSpace', 'toGammaSpace']
   const one = `${vec3}(1.0)`
-  /** Converts to linear only under wrinkles, so that colours elsewhere stay bit-exact. */
+  /** Applies a change in linear RGB. Where no wrinkle is visible, the colour is not converted, so that rounding does not change it. */
   const inLinear = (change: string) =>
     `if (dot(furrowInfluence, ${vec4}(1.0)) > 0.0) { baseColor=${vec4}(${toGamma}(${change}(${toLinear}(baseColor.rgb))),baseColor.a); }`
   const injections: Injections = {}
@@ -124,14 +129,14 @@ function standard(d: Dialect, { baseColor, occlusion, blood }: Values): Injectio
   return injections
 }
 
-/** Expressions by which Babylon.js reads a map: a macro in newer releases, a plain function call in 8 and 9.0. */
+/** Returns the expressions by which Babylon.js may read a map. Newer releases use the macro `TEXRD`; releases 8 and 9.0 call a function. */
 function texels({ isWgsl, passed }: Dialect, map: string, name: string): string[] {
   const textures = isWgsl ? `${map}Sampler,${map}SamplerSampler` : `${map}Sampler`
   const functions = ['TEXRD', isWgsl ? 'textureSample' : 'texture2D']
   return functions.map((read) => `${read}(${textures},${passed(`v${name}UV`)}+uvOffset)`)
 }
 
-/** Injection key that replaces a text of the shader. */
+/** Returns an injection key that replaces a text of the shader. */
 function replacing(text: string): string {
   return `!${text.replace(/[\\^$.*+?()[\]{}|]/g, '\\$&')}`
 }

@@ -1,15 +1,19 @@
-/** Generates GLSL and WGSL that mixes the layers' maps into those of the material, like `mixNormals` and `mixValues` of the reference. */
+/**
+ * Generates shader functions in GLSL or WGSL that mix the maps of wrinkle layers into the maps of a material. The functions compute the same
+ * as `core/reference.ts`.
+ */
 import { BLOOD_ABSORPTION, BLOOD_AT_REST, BLOOD_THRESHOLD } from '../../core/blood.ts'
+import { SMALLEST_ONSET_RANGE } from '../../core/limits.ts'
 import type { LayerKind } from '../../core/types.ts'
-import type { ValueKind } from '../../runtime/layer-maps.ts'
-import { sharesOf } from '../../runtime/layer-shares.ts'
-import { listTexels, texelOf, type ValueLayers, type ValueTexel } from '../../runtime/value-texels.ts'
+import type { MixedKind, ValueKind } from '../../runtime/maps/layer-maps.ts'
+import { sharesOf } from '../../runtime/maps/layer-shares.ts'
+import { listTexels, texelOf, type ValueLayers, type ValueTexel } from '../../runtime/maps/value-texels.ts'
 import type { Dialect } from './dialect.ts'
 
-/** Shader parameters. Independent of the number of areas. */
+/** Properties of a wrinkle set that decide the code of its shader. The number of areas is not one of them. */
 export interface MixedLayers {
   readonly kinds: readonly LayerKind[]
-  /** Slice of each layer's normals. */
+  /** For each layer, the slice that stores its normals. */
   readonly normals: readonly (number | null)[]
   readonly values: Readonly<Partial<Record<ValueKind, ValueLayers>>>
 }
@@ -17,28 +21,34 @@ export interface MixedLayers {
 const CHANNELS = ['x', 'y', 'z', 'w'] as const
 const influenceOf = (layer: number) => `furrowInfluence.${CHANNELS[layer]}`
 
-/** Name of the texture of one kind of map. */
+/** Returns the name of the texture that stores one kind of map. */
 export const samplerOf = (kind: 'normal' | ValueKind) => `furrowMaps_${kind}`
 
-/** Declares `furrowMixNormals`, and, if there are maps for them, `furrowMix_KIND`, `furrowBloodColour` and `furrowMicroShadow`. */
+/**
+ * Declares `furrowMixNormals` and, for each kind of map in the set, `furrowMix_KIND`. Also declares `furrowBloodColour` if the set has blood
+ * maps, and `furrowMicroShadow` if it has occlusion maps.
+ */
 export function mixing(d: Dialect, { kinds, normals, values }: MixedLayers): string {
   const texels = listTexels(values)
+  const { onset, ...mixed } = values
   return [
     sampledInfluence(d, kinds.length),
     ...texels.map(({ name }) => d.global(d.vec4, name, `${d.vec4}(0.0)`)),
     ...['normal' as const, ...new Set(texels.map(({ sampler }) => sampler))].map((kind) =>
       sampledMaps(d, kind),
     ),
-    normalMixing(d, kinds, normals, texels),
-    ...Object.entries(values).map(([kind, layers]) => valueMixing(d, kind as ValueKind, layers)),
+    onset ? onsetInfluence(d) : '',
+    normalMixing(d, kinds, normals, texels, onset),
+    ...Object.entries(mixed).map(([kind, layers]) => valueMixing(d, kind as MixedKind, layers)),
     values.occlusion ? microShadow(d) : '',
     values.blood ? bloodColour(d) : '',
   ].join('\n')
 }
 
 /**
- * Declares `furrowSampleInfluence(vec2 uv)`, which samples the influence of all layers. Branch-free: branches cost GPUs more than the samples
- * that they would save. Wrapping texture coordinates need derivatives from before the wrap.
+ * Declares `furrowSampleInfluence(vec2 uv)`, which samples the influences of all layers at a point. The code always samples, because a
+ * branch costs GPUs more than the samples that it would save. Derivatives are computed from the texture coordinates before wrapping, because
+ * wrapped coordinates jump between neighbouring pixels.
  */
 function sampledInfluence(d: Dialect, layers: number): string {
   const { float, vec2, vec4 } = d
@@ -77,7 +87,7 @@ ${d.global(vec2, 'furrowDy', `${vec2}(0.0)`)}
 ${d.declare(null, 'furrowSampleInfluence', [[vec2, 'uv']], body)}`
 }
 
-/** Declares a texture array, and `vec4 furrowSample_KIND(int slice)`. */
+/** Declares the texture array of one kind of map, and `vec4 furrowSample_KIND(int slice)`, which samples it. */
 function sampledMaps(d: Dialect, kind: 'normal' | ValueKind): string {
   const body = `
 #ifdef FURROW_TILED
@@ -89,20 +99,24 @@ function sampledMaps(d: Dialect, kind: 'normal' | ValueKind): string {
 }
 
 /**
- * Declares `vec3 furrowMixNormals(vec3 stored, vec2 uv)`. Argument and result are normals encoded in 0..1, as in the map. If the influence is
- * 0, the result equals `stored` bit by bit. The function also samples the value maps, because shaders read the normal map first.
+ * Declares `vec3 furrowMixNormals(vec3 stored, vec2 uv)`. `stored` is the normal in the material's map. `stored` and the result are encoded
+ * in 0..1. If all influences are 0, the result is exactly `stored`.
+ *
+ * Materials read their normal map first, so this function runs before the functions of other maps. It prepares data for these functions:
+ * it samples the layers' other maps, and delays `furrowInfluence` by the onset maps.
  */
 function normalMixing(
   d: Dialect,
   kinds: readonly LayerKind[],
   normals: MixedLayers['normals'],
   texels: readonly ValueTexel[],
+  onset: ValueLayers | undefined,
 ): string {
   const { float, vec2, vec3 } = d
   const scales = d.uniform('furrowNormalScale')
   const layers = kinds.map((kind, layer) => {
-    // Detail layers unpack only z here, halved, and x and y below, together with the factor k. The halved z is slightly too large, so that
-    // it is never 0: at an influence of 0, k would be 0 / 0.
+    // For detail layers, n.z is half the unpacked z. The constant is slightly below 0.5, so that the division by n.z below is never by 0.
+    // The components x and y are unpacked in `slope`.
     const unpacked = kind === 'detail' ? `- ${vec3}(0.0, 0.0, 0.4999999)` : '* 2.0 - 1.0'
     return `
   ${d.local(vec3, `n${layer}`, `furrowSample_normal(${normals[layer]!}).xyz ${unpacked}`)}`
@@ -124,7 +138,8 @@ function normalMixing(
   ${d.local(float, `k${layer}`, `${influenceOf(layer)} * ${scaleOf(layer)} / n${layer}.z`)}`,
   )
   const slope = details.map((layer) => `n${layer}.xy * k${layer} - 0.5 * k${layer}`).join(' + ')
-  // Expanded like `reorientBy` in three/webgpu: a slope of 0 keeps the normal. The epsilon keeps z + size above 0.
+  // This is the formula of reoriented normal mapping, expanded such that a slope of 0 does not change the normal. The constant 1e-6 keeps
+  // normal.z + size above 0.
   const reoriented = `${factors.join('')}
   ${d.local(vec2, 'slope', slope)}
   ${d.local(float, 'size', 'sqrt(dot(normal, normal) + 1e-6)')}
@@ -132,12 +147,12 @@ function normalMixing(
   ${d.local(float, 'kept', '1.0 - along / (normal.z + size)')}
   normal = ${vec3}(normal.xy * kept + slope * size, normal.z - along);
 #ifdef DETAIL
-  // Babylon.js adds its own detail map to this normal and expects its length unchanged. Without that map, Babylon.js normalises the result.
+  // If DETAIL is defined, Babylon.js adds a detail map to this normal, and needs a normal of the original length. Otherwise it normalises.
   normal = normal * (size / length(normal));
 #endif`
   const body = `
   furrowSampleInfluence(uv);
-  ${d.local(vec3, 'base', 'stored * 2.0 - 1.0')}${[...layers, ...values].join('')}
+  ${d.local(vec3, 'base', 'stored * 2.0 - 1.0')}${[...layers, ...values, onset ? applyOnset(d, kinds.length, onset) : ''].join('')}
   ${d.local(vec3, 'normal', `base${replaced.join('')}`)}${details.length > 0 ? reoriented : ''}
   return normal * 0.5 + 0.5;`
   const parameters = [
@@ -147,8 +162,8 @@ function normalMixing(
   return d.declare(vec3, 'furrowMixNormals', parameters, body)
 }
 
-/** By kind of map: the name of the uniform that holds a factor per layer, if any, and an expression that decodes a stored value. */
-const VALUES: Record<ValueKind, { scales?: string; decode(stored: string, scale: string): string }> = {
+/** For each kind of map, how a stored value is decoded. `scales` names a uniform with one factor per layer. `decode` receives the factor. */
+const VALUES: Record<MixedKind, { scales?: string; decode(stored: string, scale: string): string }> = {
   baseColor: { decode: (stored) => stored },
   roughness: { decode: (stored) => stored },
   occlusion: {
@@ -161,8 +176,8 @@ const VALUES: Record<ValueKind, { scales?: string; decode(stored: string, scale:
   },
 }
 
-/** Declares `vec3 furrowMix_KIND(vec3 base)`. Kinds with one value per texel repeat it in all three components. */
-function valueMixing(d: Dialect, kind: ValueKind, { slices, channel, sampler }: ValueLayers): string {
+/** Declares `vec3 furrowMix_KIND(vec3 base)`, which mixes the layers' values into `base`. For single-channel maps, all components are equal. */
+function valueMixing(d: Dialect, kind: MixedKind, { slices, channel, sampler }: ValueLayers): string {
   const { vec3 } = d
   const { scales, decode } = VALUES[kind]
   const layers = slices.flatMap((slice, layer) => (slice === null ? [] : [{ slice, layer }]))
@@ -180,7 +195,30 @@ function valueMixing(d: Dialect, kind: ValueKind, { slices, channel, sampler }: 
   ].join('\n')
 }
 
-/** See `bloodOf` in the reference. */
+/** Declares `float furrowOnsetInfluence(float influence, float onset, float strength)`; see `onsetInfluence` in `core/reference.ts`. */
+function onsetInfluence(d: Dialect): string {
+  const { float } = d
+  const body = `
+  ${d.local(float, 't', `clamp(1.0 - (1.0 - influence) / max(1.0 - onset, ${SMALLEST_ONSET_RANGE}), 0.0, 1.0)`)}
+  return influence + (t * (2.0 - t) - influence) * strength;`
+  const parameters = ['influence', 'onset', 'strength'].map((name) => [float, name] as const)
+  return d.declare(float, 'furrowOnsetInfluence', parameters, body)
+}
+
+/** Returns a statement that delays `furrowInfluence` by the onset maps. Layers without an onset map keep their influence. */
+function applyOnset(d: Dialect, layers: number, { slices, channel, sampler }: ValueLayers): string {
+  const strengths = d.uniform('furrowOnsetStrength')
+  const influences = CHANNELS.map((letter, layer) => {
+    const slice = slices[layer] ?? null
+    if (layer >= layers || slice === null) return `furrowInfluence.${letter}`
+    const onset = `${texelOf(sampler, slice)}.${CHANNELS[channel]}`
+    return `furrowOnsetInfluence(furrowInfluence.${letter}, ${onset}, ${strengths}.${letter})`
+  })
+  return `
+  furrowInfluence = ${d.vec4}(${influences.join(', ')});`
+}
+
+/** Declares `float furrowBloodOf(float stored)`; see `bloodOf` in `core/reference.ts`. */
 function bloodOf(d: Dialect): string {
   const body = `
   ${d.local(d.float, 'steps', `stored * 255.0 - ${BLOOD_AT_REST}.0`)}
@@ -188,7 +226,7 @@ function bloodOf(d: Dialect): string {
   return d.declare(d.float, 'furrowBloodOf', [[d.float, 'stored']], body)
 }
 
-/** Declares `vec3 furrowBloodColour(vec3 colour)`, linear, see `bloodColour` in the reference. */
+/** Declares `vec3 furrowBloodColour(vec3 colour)`, for linear colours; see `bloodColour` in `core/reference.ts`. */
 function bloodColour(d: Dialect): string {
   const { vec3 } = d
   const absorption = `${vec3}(${BLOOD_ABSORPTION.map((value) => value.toFixed(2)).join(', ')})`
@@ -197,7 +235,7 @@ function bloodColour(d: Dialect): string {
   return d.declare(vec3, 'furrowBloodColour', [[vec3, 'colour']], body)
 }
 
-/** Declares `float furrowMicroShadow(float cosine)`, see `microShadow` in the reference. */
+/** Declares `float furrowMicroShadow(float cosine)`; see `microShadow` in `core/reference.ts`. */
 function microShadow(d: Dialect): string {
   const body = `
   ${d.local(d.float, 'cone', '1.0 - furrowVisibility')}

@@ -5,7 +5,7 @@ import { bindJoints } from './joint.ts'
 import { bindTargets } from './target.ts'
 import { bindTension, type DrivenFace } from './tension.ts'
 
-/** Binds the inputs of drivers to a face's mesh. */
+/** Creates readers that read the inputs of drivers from the mesh of a face. */
 export function bindInputs(
   face: DrivenFace,
   { target, joint, tension }: DriverPlan['inputs'],
@@ -13,7 +13,7 @@ export function bindInputs(
   return {
     target: bindTargets(face.mesh, target),
     joint: bindJoints(face.mesh, joint),
-    // Only if needed: binding tension reads the complete mesh.
+    // Tension is bound only if a driver needs it, because binding reads all vertices of the mesh.
     ...(tension.length > 0 && { tension: bindTension(face, tension) }),
   }
 }

@@ -4,11 +4,12 @@ import { checkWrinkles } from '../../runtime/check-wrinkles.ts'
 import { meshOf, type WrinklesBase } from '../wrinkles-base.ts'
 
 /**
- * Adds drivers to a face. They run before each frame while `wrinkles.driven` is true, and add to the resting activations, up to 1.
- * Muscles become morph targets of the face's meshes.
+ * Adds drivers to a face. Before each frame, their values are added to the resting activations, and the sums are clamped to 1. Drivers run
+ * while `wrinkles.driven` is true.
+ * Drivers of type `muscle` also add morph targets to the face's meshes.
  *
- * @param drivers drivers as in a file. Unknown types, targets, joints and areas are skipped with a warning.
- * @throws FurrowError if `wrinkles` is invalid or disposed of, or `parseDrivers` rejects a driver; the drivers then stay unchanged.
+ * @param drivers drivers in the format of a file. Unknown types, morph targets, joints and areas are skipped with a warning.
+ * @throws FurrowError if `wrinkles` is invalid or has been disposed, or if `parseDrivers` rejects a driver. The face then keeps its drivers.
  */
 export function addDrivers(wrinkles: WrinklesBase, drivers: readonly WrinkleDriver[]): void {
   checkWrinkles(wrinkles, 'addDrivers')
@@ -16,10 +17,10 @@ export function addDrivers(wrinkles: WrinklesBase, drivers: readonly WrinkleDriv
 }
 
 /**
- * Replaces the drivers of a face. The current pose becomes the rest pose of joints that are not bones.
+ * Replaces all drivers of a face. If a joint is not a bone of the mesh, its current pose becomes its rest pose.
  *
- * @param drivers drivers as for `addDrivers`; an empty list removes all.
- * @throws FurrowError as `addDrivers`.
+ * @param drivers drivers in the format of a file. An empty list removes all drivers.
+ * @throws FurrowError for the same reasons as `addDrivers`.
  */
 export function setDrivers(wrinkles: WrinklesBase, drivers: readonly WrinkleDriver[]): void {
   checkWrinkles(wrinkles, 'setDrivers')

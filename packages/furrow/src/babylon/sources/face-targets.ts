@@ -7,16 +7,17 @@ import { noTargets, type TargetBinding } from '../../runtime/target-binding.ts'
 import { targetNames } from './morph.ts'
 
 /**
- * Finds morph targets by name, in any spelling that `findTargets` knows, on all meshes under a node.
+ * Finds morph targets by name on all meshes under a node. Names may have any spelling that `findTargets` knows.
  *
- * @throws FurrowError if no mesh has morph targets, or `face` is not a node of Babylon.js.
+ * @param face root node of the meshes.
+ * @throws FurrowError if no mesh has morph targets, or if `face` is not a node of Babylon.js.
  */
 export function bindFaceTargets(face: Node, names: readonly string[], who: string): TargetBinding[] {
   if (typeof face?.getChildMeshes !== 'function') {
     throw wrongArgument(who, 'face', face, 'a mesh or TransformNode of Babylon.js')
   }
   const meshes = [face as AbstractMesh, ...face.getChildMeshes()]
-  // Instances and clones share managers.
+  // A set removes duplicates, because instances and clones share the morph target manager of their source.
   const managers = new Set(meshes.flatMap(({ morphTargetManager }) => morphTargetManager ?? []))
   if (managers.size === 0) throw noTargets(who, face.name)
   return [...managers].flatMap((targets) => {
@@ -26,7 +27,7 @@ export function bindFaceTargets(face: Node, names: readonly string[], who: strin
   })
 }
 
-/** Creates an array-like view of target weights. */
+/** Creates an array-like object that reads and sets the weights of morph targets by index. */
 function influencesOf(targets: MorphTargetManager): TargetBinding['influences'] {
   const influences = {}
   for (let i = 0; i < targets.numTargets; i++) {

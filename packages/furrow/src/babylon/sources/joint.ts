@@ -7,14 +7,17 @@ import { JointMeasurement, MATRIX } from '../../drivers/bone/measure.ts'
 import { measuredSource } from '../../drivers/sources.ts'
 import type { InputReader } from '../../runtime/driver-runtime.ts'
 
-/** A joint: a bone of the skeleton, or a node. */
+/** A joint is a bone of the mesh's skeleton, or any other node. */
 interface Joint {
   bone: Bone | undefined
-  /** Node whose transform the joint follows; undefined if the bone itself is animated. */
+  /** Node whose transform the joint follows. Undefined if the bone has no node and is animated directly. */
   node: TransformNode | undefined
 }
 
-/** Measures joints relative to the bind pose, or, unless both are bones, to the pose when the inputs are bound. */
+/**
+ * Creates a reader that measures joints. The rest pose of an input is the bind pose if both of its joints are bones. Otherwise it is the
+ * pose at the time of this call.
+ */
 export function bindJoints(mesh: AbstractMesh, inputs: readonly InputOf<'joint'>[]): InputReader<unknown> {
   const all = [...new Set(inputs.flatMap(({ from, joint }) => [from, joint]))]
   const joints = new Map(

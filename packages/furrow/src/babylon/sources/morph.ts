@@ -7,7 +7,7 @@ export function readWeights({ morphTargetManager: targets }: AbstractMesh, value
   for (let i = 0; i < count; i++) values[i] = targets.getTarget(i).influence
 }
 
-/** Returns the names of morph targets in the order of their weights. */
+/** Returns the names of all morph targets, in the order of their indices. */
 export function targetNames(targets: AbstractMesh['morphTargetManager']): string[] {
   return Array.from({ length: targets?.numTargets ?? 0 }, (_, i) => nameOf(targets!, i))
 }

@@ -9,8 +9,8 @@ import { targetNames } from './morph.ts'
 import { trianglesOf, vertexData } from './surface.ts'
 
 /**
- * Adds virtual muscles to a mesh. Each becomes a morph target with normals, named like the muscle; its weight is the contraction.
- * Existing target names are skipped. Instances share the targets of their source.
+ * Adds a morph target with positions and normals to a mesh for each virtual muscle. The target has the name of the muscle, and its weight
+ * is the contraction. Muscles whose name is already the name of a target are skipped. Instances share the targets of their source mesh.
  */
 export function addMuscles(mesh: AbstractMesh, muscles: readonly MuscleDriver[]): void {
   const known = targetNames(mesh.morphTargetManager)

@@ -3,17 +3,16 @@ import type { AbstractMesh } from '@babylonjs/core/Meshes/abstractMesh.js'
 import type { SampledMesh } from '../../drivers/tension/samples.ts'
 import type { SkinMaterial } from '../check-mesh.ts'
 
-/** Returns vertex data of a mesh as floats. */
 export function vertexData(mesh: AbstractMesh, kind: string): Float32Array {
   return Float32Array.from(mesh.getVerticesData(kind) ?? [])
 }
 
-/** Vertex indices of the triangles; generated if the mesh has no indices. */
+/** Returns the vertex indices of all triangles. If the mesh has no indices, returns 0, 1, 2 and so on. */
 export function trianglesOf(mesh: AbstractMesh): ArrayLike<number> {
   return mesh.getIndices() ?? Uint32Array.from({ length: mesh.getTotalVertices() }, (_, i) => i)
 }
 
-/** Mesh at rest, with the texture coordinates of the areas: those of the normal map, with its transform applied. */
+/** Returns the mesh at rest with the texture coordinates of areas of influence: those of the normal map, after the map's transform. */
 export function sampledMesh(mesh: AbstractMesh): SampledMesh {
   const { bumpTexture } = mesh.material as SkinMaterial
   const set = bumpTexture?.coordinatesIndex ?? 0

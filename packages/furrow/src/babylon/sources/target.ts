@@ -4,7 +4,7 @@ import { targetSource } from '../../drivers/sources.ts'
 import type { InputReader } from '../../runtime/driver-runtime.ts'
 import { readWeights, targetNames } from './morph.ts'
 
-/** Binds inputs to the mesh's morph targets. */
+/** Creates a reader for the weights of a mesh's morph targets. */
 export function bindTargets(mesh: AbstractMesh, inputs: readonly InputOf<'target'>[]): InputReader<unknown> {
   return {
     ...targetSource(inputs, targetNames(mesh.morphTargetManager)),

@@ -6,10 +6,10 @@ import type { FaceGroup } from '../../runtime/face-group.ts'
 import { sampledTension, tensionSurface } from '../../runtime/sampled-tension.ts'
 import { sampledMesh, vertexData } from './surface.ts'
 
-/** Part of a face that tension needs. */
+/** Properties of a face that are needed to read its inputs. */
 export type DrivenFace = Pick<FaceGroup, 'getArea'> & { readonly mesh: AbstractMesh }
 
-/** Measures a sample of triangles per area on the CPU, after morph targets and skinning. */
+/** Creates a reader that measures tension (strain of the skin) on the CPU, on a few triangles per area after morph targets and skinning. */
 export function bindTension(face: DrivenFace, inputs: readonly InputOf<'tension'>[]): InputReader<unknown> {
   const { mesh } = face
   const surface = tensionSurface(sampledMesh(mesh), inputs, (name) => face.getArea(name))
@@ -28,7 +28,7 @@ export function bindTension(face: DrivenFace, inputs: readonly InputOf<'tension'
   }
 }
 
-/** Writes or deforms the position of a vertex, at an offset in `positions`. */
+/** Writes or deforms the position of one vertex. The position is stored at index `offset` of `positions`. */
 type Deform = (vertex: number, positions: Float64Array, offset: number) => void
 
 function morphedPositions(mesh: AbstractMesh): Deform {

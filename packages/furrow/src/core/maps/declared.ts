@@ -1,10 +1,10 @@
 import { FurrowError } from '../error.ts'
 
-/** Name of the glTF material extension, see docs/FURROW_wrinkle_maps.md. */
+/** Name of Furrow's glTF material extension, specified in `docs/FURROW_wrinkle_maps.md`. */
 export const WRINKLE_MAPS = 'FURROW_wrinkle_maps'
 
 /**
- * Checks that a file declares the extension in `extensionsUsed`, as glTF requires.
+ * Checks that a file declares `WRINKLE_MAPS` in `extensionsUsed`, as glTF requires.
  *
  * @throws FurrowError if the declaration is missing.
  */

@@ -4,14 +4,16 @@ import type { TextureShape } from './rules.ts'
 
 const MIB = 2 ** 20
 
-/** Sums the decoded size of a file's wrinkle images, for loaders and `furrow validate`. */
+/** Sums the decoded sizes of a file's wrinkle images, and throws if the sum exceeds `MAX_WRINKLE_BYTES`. */
 export class DecodedBytes {
   readonly #counted = new Set<number>()
   #sum = 0
 
   /**
-   * Adds all slices of a texture, as RGBA. Each texture counts once.
+   * Adds the decoded size of all slices of a texture, in RGBA. A texture that is added again does not count again.
    *
+   * @param texture index of the texture in the file.
+   * @param who name of the file or material in errors.
    * @throws FurrowError if the sum exceeds `MAX_WRINKLE_BYTES`.
    */
   add(texture: number, { width, height, slices }: Omit<TextureShape, 'layout'>, who: string): void {

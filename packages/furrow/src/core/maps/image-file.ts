@@ -3,8 +3,8 @@ import { jpegDamage } from './jpeg.ts'
 import { isCompletePng, type PngChunk, pngChunks } from './png.ts'
 
 /**
- * Returns why a PNG or JPEG file is damaged; undefined for intact files and other formats. Browsers disagree about damaged files: some
- * decode a part, others fail.
+ * Returns why a PNG or JPEG file is damaged, or undefined for intact files and other formats. Damaged files must be rejected, because
+ * some browsers decode a part of the image, and other browsers fail.
  */
 export function imageDamage(bytes: Uint8Array): string | undefined {
   const type = imageTypeOf(bytes)
@@ -12,7 +12,7 @@ export function imageDamage(bytes: Uint8Array): string | undefined {
   return type === 'image/jpeg' ? jpegDamage(bytes) : undefined
 }
 
-/** `imageDamage` for the chunks of a PNG file. */
+/** Returns why a PNG file with these chunks is damaged, or undefined for an intact file. */
 export function pngDamage(chunks: readonly PngChunk[]): string | undefined {
   if (isCompletePng(chunks)) return undefined
   if (chunks.some(({ isChecksumValid }) => !isChecksumValid)) return 'wrong checksum'

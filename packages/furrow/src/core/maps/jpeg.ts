@@ -1,13 +1,14 @@
-// JPEG markers, which follow a byte 0xff (ITU-T T.81, table B.1).
+// Second bytes of JPEG markers; the first byte is 0xff (ITU-T T.81, table B.1).
 const END_OF_IMAGE = 0xd9
 const FIRST_RESTART = 0xd0
 const START_OF_IMAGE = 0xd8
 const FIRST_SEGMENT = 0xc0
 
 /**
- * Returns why a JPEG file is damaged; undefined for intact files.
+ * Returns why a JPEG file is damaged, or undefined for an intact file.
  *
- * A segment starts with a marker and its length. Coded data may follow, in which 0xff 0x00 is a data byte 0xff.
+ * A JPEG file consists of segments. A segment starts with a marker and the segment's length. Entropy-coded data may follow, in which
+ * the two bytes 0xff 0x00 encode one byte 0xff.
  */
 export function jpegDamage(bytes: Uint8Array): string | undefined {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength)

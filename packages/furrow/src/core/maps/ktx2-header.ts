@@ -3,7 +3,7 @@ import { MAX_IMAGE_BYTES, MAX_IMAGE_SIDE, MAX_SLICES } from '../limits.ts'
 import { imageTypeOf } from './image-type.ts'
 import type { TextureShape } from './rules.ts'
 
-// Byte offsets, Khronos KTX File Format Specification 2.0, sections 3 and 5.
+// Byte offsets from the Khronos KTX File Format Specification 2.0, sections 3 and 5.
 const HEADER = {
   format: 12,
   width: 20,
@@ -19,7 +19,7 @@ const LEVEL_INDEX = 80
 const LEVEL_BYTES = 24
 const ZSTANDARD = 2
 
-// Khronos Data Format Specification 1.3: byte offsets in the data format descriptor, colour models, channel types.
+// Data format descriptor: byte offsets, colour models and channel types, from the Khronos Data Format Specification 1.3.
 const COLOUR_MODEL = 12
 const SAMPLES = 28
 const SAMPLE_BYTES = 16
@@ -28,33 +28,33 @@ const UASTC_RGBA = 3
 
 /** Header of a KTX 2 file with any encoding. */
 export interface Ktx2Image {
-  /** VkFormat; 0 for the formats of the data format descriptor (ETC1S, UASTC). */
+  /** VkFormat; 0 if the data format descriptor names the format instead (ETC1S and UASTC). */
   format: number
   width: number
   height: number
-  /** Slices of an array; 0 for a plain image. */
+  /** Number of slices of a texture array; 0 for a single image. */
   slices: number
   /** Number of mipmap levels, at least 1. */
   levels: number
-  /** Size of the largest level in bytes: all slices, as RGBA. */
+  /** Decoded size of the largest mipmap level in bytes: RGBA, all slices. */
   decodedBytes: number
 }
 
-/** Header of a KTX 2 file that KHR_texture_basisu allows. */
+/** Header of a KTX 2 file with an encoding that KHR_texture_basisu allows. */
 export interface Ktx2Header extends TextureShape {
   slices: number
   layout: string
   encoding: 'etc1s' | 'uastc'
 }
 
-/** Throws an error for a KTX 2 file. */
+/** Throws the caller's error for a problem with a KTX 2 file. */
 export type FailKtx2 = (problem: string, value?: string) => never
 
 /**
- * Reads the header of a KTX 2 file and checks it before anything is decoded. The file must be a 2D image or array of at most 8192 texels
- * per side, 256 slices and 256 MiB in RGBA, with valid levels.
+ * Reads and checks the header of a KTX 2 file without decoding the image. The file must contain a 2D image or 2D array with valid mipmap
+ * levels. Limits are 8192 texels in width and height, 256 slices, and 256 MiB in RGBA.
  *
- * @param fail throws the error for an invalid or truncated file.
+ * @param fail is called for an invalid or truncated file, and must throw.
  */
 export function readKtx2Image(bytes: Uint8Array, fail: FailKtx2): Ktx2Image {
   if (imageTypeOf(bytes) !== 'image/ktx2') fail('not a KTX 2 file')
@@ -67,7 +67,8 @@ export function readKtx2Image(bytes: Uint8Array, fail: FailKtx2): Ktx2Image {
   }
   const levels = Math.max(count, 1)
   if (levels > 32 - Math.clz32(Math.max(width, height))) fail('too many mipmap levels', `${levels}`)
-  // Uncompressed size: blocks of 4 x 4 texels in 16 bytes each, or RGBA.
+  // Maximum size of a mipmap level without Zstandard compression. UASTC and ETC1S need at most 16 bytes per block of 4 x 4 texels.
+  // Other formats need at most as many bytes as RGBA.
   const blocks = 16 * Math.ceil(width / 4) * Math.ceil(height / 4) * Math.max(slices, 1)
   const maxBytes = format === 0 ? blocks : decodedBytes
   for (let level = 0; level < levels; level++) {
@@ -77,7 +78,7 @@ export function readKtx2Image(bytes: Uint8Array, fail: FailKtx2): Ktx2Image {
     }
     const [offset, length, unpacked] = [0, 8, 16].map(field)
     if (offset + length > bytes.length) fail('truncated file', `${bytes.length} bytes`)
-    // Decoders allocate the declared size.
+    // Decoders allocate the size that the file declares, so a wrong size could exhaust memory.
     if (scheme === ZSTANDARD && unpacked > maxBytes)
       fail('mipmap level larger than the image', `${unpacked} bytes`)
   }
@@ -85,7 +86,7 @@ export function readKtx2Image(bytes: Uint8Array, fail: FailKtx2): Ktx2Image {
 }
 
 /**
- * Reads the header of a KTX 2 file for KHR_texture_basisu: checks as `readKtx2Image` does, and that the encoding is ETC1S or UASTC.
+ * Reads the header of a KTX 2 file with `readKtx2Image`, and checks that the encoding is ETC1S or UASTC, as KHR_texture_basisu requires.
  *
  * @param who name of the texture in errors.
  * @throws FurrowError if a check fails.
@@ -121,7 +122,7 @@ function wordReader(bytes: Uint8Array, fail: FailKtx2): ReadWord {
   }
 }
 
-/** Alpha is a second sample in ETC1S, and the type of the only sample in UASTC. */
+/** Whether an image has alpha. In the descriptor, ETC1S has a second sample for alpha. UASTC has one sample, with a type such as RGBA. */
 function hasAlpha(word: ReadWord, dfd: number, encoding: Ktx2Header['encoding']): boolean {
   const type = (word(dfd + SAMPLES) >>> 24) & 0xf
   if (encoding === 'uastc') return type === UASTC_RGBA

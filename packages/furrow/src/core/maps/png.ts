@@ -6,7 +6,7 @@ export interface PngHeader {
   depth: number
   /** Colour type: 0 gray, 2 RGB, 3 palette, 4 gray and alpha, 6 RGBA. */
   colour: number
-  /** Whether rows are stored in seven passes. */
+  /** Whether the image uses Adam7 interlacing. */
   isInterlaced: boolean
 }
 
@@ -17,13 +17,12 @@ export interface PngChunk {
   isChecksumValid: boolean
 }
 
-/** Signature length in bytes. */
 const PNG_SIGNATURE_BYTES = 8
 
-/** First four bytes of the signature. */
+/** First four bytes of a PNG file. */
 const SIGNATURE = 0x89504e47
 
-/** Reads the header of a PNG file; undefined for other formats. */
+/** Reads the header of a PNG file, or returns undefined for other formats. */
 export function pngHeader(bytes: Uint8Array): PngHeader | undefined {
   const file = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength)
   if (bytes.length < PNG_SIGNATURE_BYTES + 25 || file.getUint32(0) !== SIGNATURE) return undefined
@@ -37,7 +36,7 @@ export function pngHeader(bytes: Uint8Array): PngHeader | undefined {
   }
 }
 
-/** Reads the chunks of a PNG file (section 5.3) up to `IEND` or the first truncated one. */
+/** Reads the chunks of a PNG file up to and including `IEND`, or up to the first truncated chunk (PNG specification, section 5.3). */
 export function pngChunks(bytes: Uint8Array): PngChunk[] {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength)
   const chunks: PngChunk[] = []
@@ -67,7 +66,7 @@ export function isCompletePng(chunks: readonly PngChunk[]): boolean {
 
 let table: Uint32Array | undefined
 
-/** Cyclic redundancy check of PNG, annex D. */
+/** Computes the checksum of a PNG chunk (PNG specification, annex D). */
 function crc32(bytes: Uint8Array): number {
   table ??= Uint32Array.from({ length: 256 }, (_, byte) => {
     for (let bit = 0; bit < 8; bit++) byte = byte & 1 ? (byte >>> 1) ^ 0xedb88320 : byte >>> 1

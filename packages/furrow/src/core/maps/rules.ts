@@ -3,46 +3,45 @@ import { MAX_IMAGE_SIDE } from '../limits.ts'
 import { WRINKLE_MAPS } from './declared.ts'
 import type { MapsAndAreas, TextureReference, WrinkleMapsLayer } from './wrinkle-maps.ts'
 
-/** Size and format of a texture's image. */
 export interface TextureShape {
   width: number
   height: number
-  /** KTX 2 only: slices of an array, 0 for a plain image. Undefined for other formats. */
+  /** Number of slices of a KTX 2 array; 0 for a single KTX 2 image. Undefined for other formats. */
   slices?: number
-  /** KTX 2 only: encoding and mipmap levels. Must be equal for all textures of one array. */
+  /** Encoding and number of mipmap levels of a KTX 2 image, as text. All textures of one array must have the same layout. */
   layout?: string
 }
 
-/** A broken rule for the maps of a file. */
+/** A problem with the wrinkle maps of a glTF file. */
 export interface MapProblem extends ErrorParts {
   rule: 'IMAGE_SIZE' | 'LAYER_SIZES' | 'MIXED_FORMATS' | 'KTX2_LAYOUTS' | 'NO_SLICE' | 'ARRAY_AS_IMAGE'
 }
 
-/** Kinds of drawn maps, with their slots and their names in errors. Heights are not drawn. */
+/** Kinds of maps that materials sample, with their slots and their names in errors. Height maps are not sampled by materials. */
 const KINDS = {
   normal: { normalTexture: 'normal' },
   'base colour': { baseColorTexture: 'base colour' },
   roughness: { roughnessTexture: 'roughness' },
-  occlusion: { occlusionTexture: 'occlusion', bloodTexture: 'blood' },
+  occlusion: { occlusionTexture: 'occlusion', bloodTexture: 'blood', onsetTexture: 'onset' },
 } as const satisfies Record<string, Partial<Record<keyof WrinkleMapsLayer, string>>>
 
 type MapSlot = Extract<keyof WrinkleMapsLayer, `${string}Texture`>
 
-/** Texture of a map or an area, and its label in errors. */
 type LabelledTexture = TextureReference & { label: string }
 
-/** Lists the textures of drawn maps and areas, each once. */
+/** Lists the indices of all textures that store areas or maps of the kinds in `KINDS`. Each index is listed once. */
 export function drawnTextures(maps: MapsAndAreas): number[] {
   return [...new Set(kindsOf(maps).flatMap(([, infos]) => infos.map(({ index }) => index)))]
 }
 
 /**
- * Checks the images of a file's maps: the rules that need more than the JSON. Shared by loaders and `furrow validate`.
+ * Checks the wrinkle maps of a file by the rules that need the headers of the images. `readMaps` checks the rules that need only the JSON.
+ * Loaders and `furrow validate` share these rules.
  *
- * @param shapeOf returns the shape of each texture in `drawnTextures`.
- * @param faceTextures textures that other parts of the file use, see `texturesOfFace`.
+ * @param shapeOf returns the size and format of a texture that `drawnTextures` lists.
+ * @param faceTextures textures that the file uses outside the extension; see `texturesOfFace`.
  * @param who name of the file or material in errors.
- * @returns all broken rules; loaders report the first.
+ * @returns one problem per broken rule; loaders report only the first problem.
  */
 export function mapProblems(
   maps: MapsAndAreas,
@@ -61,7 +60,6 @@ export function mapProblems(
   ]
 }
 
-/** Lists the maps of each kind, then the areas. */
 function kindsOf({ layers, areas }: MapsAndAreas): [kind: string, infos: LabelledTexture[]][] {
   const maps = Object.entries(KINDS).map(([kind, slots]): [string, LabelledTexture[]] => [
     `${kind} maps`,
@@ -75,7 +73,7 @@ function kindsOf({ layers, areas }: MapsAndAreas): [kind: string, infos: Labelle
   return [...maps, ['areas', areas.map(({ name, texture }) => ({ ...texture, label: `area "${name}"` }))]]
 }
 
-/** @param images textures used without a slice: KHR_texture_basisu allows only plain images there. */
+/** @param images textures that the file uses without a slice index. KHR_texture_basisu does not allow arrays there. */
 function textureProblems(
   index: number,
   { width, height, slices }: TextureShape,
@@ -99,7 +97,7 @@ function textureProblems(
       rule: 'ARRAY_AS_IMAGE',
       who,
       problem: `texture ${index} is an array of ${slices} slices, but is used without a slice index`,
-      remedy: 'add `slice` to the texture info, or use a separate image for the plain face',
+      remedy: 'add `slice` to the texture info, or use another image there',
     })
   }
   return problems
@@ -111,7 +109,7 @@ function sliceProblem(
   who: string,
 ): MapProblem | undefined {
   if (slice === undefined) return undefined
-  // A plain KTX 2 image is read as an array of one slice.
+  // A single KTX 2 image counts as an array of one slice.
   const count = slices === undefined ? 0 : Math.max(slices, 1)
   if (slice < count) return undefined
   return {
@@ -125,7 +123,7 @@ function sliceProblem(
   }
 }
 
-/** Maps of one kind become one array: images are packed, KTX 2 textures are joined without decoding. */
+/** Checks that maps of one kind can share a texture array. KTX 2 textures are joined into the array without decoding. */
 function kindProblem(
   kind: string,
   infos: readonly LabelledTexture[],
@@ -139,7 +137,7 @@ function kindProblem(
     const remedy = 'pack all of them with or without KTX 2'
     return { rule: 'MIXED_FORMATS', who, problem: `some ${kind} are KTX 2 and others are not`, remedy }
   }
-  // Uncompressed areas are resampled to one size.
+  // Areas that are not KTX 2 may differ in size, because they are resampled to one size.
   const mayDiffer = kind === 'areas' && compressed.length === 0
   if (sizes.length > 1 && !mayDiffer) {
     const limit = 'one size for all layers'
@@ -164,7 +162,7 @@ function kindProblem(
   }
 }
 
-/** Returns the indices of textures used by the file outside the extension. */
+/** Returns the indices of all textures that the file uses outside the extension. */
 export function texturesOfFace(json: { materials?: unknown; extensions?: unknown }): Set<number> {
   return collectTextures([json.materials, json.extensions], '', new Set())
 }

@@ -3,57 +3,58 @@ import { type JsonReader, orDefault } from '../json.ts'
 import { MAX_AREAS, MAX_LAYERS, MAX_NUMBER, MAX_SLICES } from '../limits.ts'
 import type { Combine, LayerKind } from '../types.ts'
 
-/** A glTF texture info; other fields of glTF may be present. */
+/** A glTF texture info. Fields that glTF defines, such as `texCoord`, may also be present. */
 export interface TextureReference {
   /** Index of the texture in the file. */
   index: number
-  /** Slice of a KTX 2 texture array; absent for an ordinary image. */
+  /** Index of a slice in a KTX 2 texture array; absent for an image that is not an array. */
   slice?: number
 }
 
-/** A layer in the extension's JSON, with defaults filled in. */
+/** A layer in the JSON of the glTF extension FURROW_wrinkle_maps, with defaults filled in. */
 export interface WrinkleMapsLayer {
   name: string
   kind: LayerKind
   /** Tangent-space normals, linear, +Y towards smaller v; `scale` multiplies x and y. */
   normalTexture: TextureReference & { scale: number }
-  /** Colour of fully wrinkled skin, sRGB. */
+  /** Base colour of fully wrinkled skin, sRGB. */
   baseColorTexture?: TextureReference
   /** Roughness in G, linear, as in glTF's metallic-roughness texture. */
   roughnessTexture?: TextureReference
-  /** Occlusion in R, linear; `strength` as in glTF's occlusion texture. */
+  /** Occlusion in R, linear; `strength` has the same meaning as in glTF's occlusion texture. */
   occlusionTexture?: TextureReference & { strength: number }
-  /** Height in R, linear, 0.5 = undisplaced skin; `amplitude` is the range from black to white in metres. */
+  /** Height in R, linear, 0.5 = undisplaced skin; `amplitude` is the height difference between black and white, in metres. */
   heightTexture?: TextureReference & { amplitude: number }
-  /** Blood in B, linear, 128 of 255 = no change; `amplitude` is the optical depth of green at 255. */
+  /** Change of blood in B, linear; byte 128 = no change. `amplitude` is the optical depth for green light that byte 255 adds. */
   bloodTexture?: TextureReference & { amplitude: number }
+  /** Onset in G, linear, see `onsetInfluence`; `strength` 0 turns the map off. */
+  onsetTexture?: TextureReference & { strength: number }
 }
 
-/** An area in the extension's JSON, with defaults filled in. */
+/** An area of influence in the extension's JSON, with defaults filled in. */
 export interface WrinkleMapsArea {
   name: string
   /** Index of the layer. */
   layer: number
   /** Weights, linear, 1 = fully visible. */
   texture: TextureReference
-  /** Channel of the texture, 0 = R to 3 = A; an image can hold four areas. */
+  /** Channel that stores the weights, 0 = R to 3 = A. */
   channel: number
   combine: Combine
   /** Resting activation, 0..1. */
   activation: number
 }
 
-/** Layers and areas in the extension's JSON, checked and with defaults filled in. */
 export interface MapsAndAreas {
   layers: WrinkleMapsLayer[]
   areas: WrinkleMapsArea[]
 }
 
 /**
- * Reads the extension's JSON. Drivers are returned unchecked.
+ * Reads and checks the extension's JSON. Drivers are returned unchecked.
  *
  * @param json value of `material.extensions.FURROW_wrinkle_maps`, of any type.
- * @param textureCount number of textures in the file, to check indices; Infinity if unknown.
+ * @param textureCount number of textures in the file; Infinity if unknown.
  * @throws FurrowError naming the first field that is missing, has the wrong type or is out of range.
  */
 export function readMaps(
@@ -75,12 +76,12 @@ export function readMaps(
   return { layers, areas, drivers: root.drivers }
 }
 
-/** Slots whose maps share one texture array, if they are slices. */
+/** Groups of slots. Slices in the slots of one group must come from the same texture array. */
 const ARRAYS = [
   ['layers', ['normalTexture']],
   ['layers', ['baseColorTexture']],
   ['layers', ['roughnessTexture']],
-  ['layers', ['occlusionTexture', 'bloodTexture']],
+  ['layers', ['occlusionTexture', 'bloodTexture', 'onsetTexture']],
   ['layers', ['heightTexture']],
   ['areas', ['texture']],
 ] as const
@@ -112,10 +113,11 @@ function readLayer(reader: JsonReader, texture: ReadTexture, item: unknown, at: 
   for (const slot of ['baseColorTexture', 'roughnessTexture'] as const) {
     if (json[slot] !== undefined) layer[slot] = texture(json[slot], `${at}.${slot}`)
   }
-  if (json.occlusionTexture !== undefined) {
-    const info = texture(json.occlusionTexture, `${at}.occlusionTexture`)
-    const strength = reader.number(orDefault(info.strength, 1), `${at}.occlusionTexture.strength`, 0, 1, '')
-    layer.occlusionTexture = { ...info, strength }
+  for (const slot of ['occlusionTexture', 'onsetTexture'] as const) {
+    if (json[slot] === undefined) continue
+    const info = texture(json[slot], `${at}.${slot}`)
+    const strength = reader.number(orDefault(info.strength, 1), `${at}.${slot}.strength`, 0, 1, '')
+    layer[slot] = { ...info, strength }
   }
   if (json.heightTexture !== undefined) {
     const info = texture(json.heightTexture, `${at}.heightTexture`)
@@ -128,23 +130,53 @@ function readLayer(reader: JsonReader, texture: ReadTexture, item: unknown, at: 
       ...info,
       amplitude: reader.number(info.amplitude, field, 0, MAX_BLOOD_AMPLITUDE, ''),
     }
-    checkBlood(reader, layer.bloodTexture, layer.occlusionTexture, at)
   }
+  checkSharedImage(reader, layer, at)
   return layer
 }
 
-/** Checks that blood shares the image of occlusion, so that shaders need no extra sampler. */
-function checkBlood(
+/**
+ * Checks that occlusion, blood and onset are stored in the same image, so that shaders need only one sampler for them. Roughness must be
+ * stored in another image than onset, because both use the G channel.
+ */
+function checkSharedImage(
   reader: JsonReader,
-  blood: TextureReference,
-  occlusion: TextureReference | undefined,
+  { roughnessTexture, occlusionTexture, bloodTexture, onsetTexture }: WrinkleMapsLayer,
   at: string,
 ): void {
-  if (!occlusion || (blood.index === occlusion.index && blood.slice === occlusion.slice)) return
+  const isSame = (a: TextureReference, b: TextureReference) => a.index === b.index && a.slice === b.slice
   const nameOf = ({ index, slice }: TextureReference) =>
     slice === undefined ? `${index}` : `${index}, slice ${slice}`
-  const remedy = 'store blood in the B channel of the occlusion image'
-  reader.fail(`${at}.bloodTexture differs from occlusionTexture`, nameOf(blood), nameOf(occlusion), remedy)
+  if (occlusionTexture && bloodTexture && !isSame(occlusionTexture, bloodTexture)) {
+    const remedy = 'store blood in the B channel of the occlusion image'
+    reader.fail(
+      `${at}.bloodTexture differs from occlusionTexture`,
+      nameOf(bloodTexture),
+      nameOf(occlusionTexture),
+      remedy,
+    )
+  }
+  if (!onsetTexture) return
+  const other = occlusionTexture ? 'occlusion' : 'blood'
+  const shared = occlusionTexture ?? bloodTexture
+  if (shared && !isSame(shared, onsetTexture)) {
+    const remedy = `store onset in the G channel of the ${other} image`
+    reader.fail(
+      `${at}.onsetTexture differs from ${other}Texture`,
+      nameOf(onsetTexture),
+      nameOf(shared),
+      remedy,
+    )
+  }
+  if (roughnessTexture && isSame(roughnessTexture, onsetTexture)) {
+    const remedy = 'store roughness in a separate image, because both use the G channel'
+    reader.fail(
+      `${at}.onsetTexture is the image of roughnessTexture`,
+      nameOf(onsetTexture),
+      'another image',
+      remedy,
+    )
+  }
 }
 
 function readArea(
@@ -174,7 +206,10 @@ function checkNames(reader: JsonReader, named: readonly { name: string }[], list
   }
 }
 
-/** Checks that maps of one kind are all images, or all slices of one array without other users. */
+/**
+ * Checks that maps of one kind are either all images or all slices of the same texture array, and that nothing uses a texture array
+ * without a slice index.
+ */
 function checkSlices(reader: JsonReader, layers: WrinkleMapsLayer[], areas: WrinkleMapsArea[]): void {
   const arrays = new Map<number, string>()
   const images = new Map<number, string>()
@@ -189,7 +224,7 @@ function checkSlices(reader: JsonReader, layers: WrinkleMapsLayer[], areas: Wrin
     const array = found.find(({ slice }) => slice !== undefined)
     for (const { index, slice, at } of found) {
       if ((slice !== undefined) !== (array !== undefined) || (array && index !== array.index)) {
-        const limit = `slices of texture ${array!.index}, as ${array!.at}, or no slices`
+        const limit = `slices of texture ${array!.index}, like ${array!.at}, or no slices`
         reader.fail(`${at} is in another texture array`, index, limit, 'pack maps of one kind into one array')
       }
       ;(slice === undefined ? images : arrays).set(index, at)

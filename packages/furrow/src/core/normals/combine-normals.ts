@@ -5,7 +5,7 @@ import { toByte } from './normal-byte.ts'
 
 /**
  * Lays one tangent-space normal map over another by reoriented normal mapping (C. Barre-Brisebois, S. Hill, "Blending in Detail", 2012).
- * Where one of the two is flat, the bytes of the other are copied unchanged.
+ * Where one map is flat, the bytes of the other map are copied unchanged.
  *
  * @param base linear, +Y towards smaller v; not modified.
  * @param detail normal map in the same convention and size.
@@ -33,7 +33,7 @@ export function checkSizes(base: RgbaImage, detail: RgbaImage): void {
   })
 }
 
-/** `combineNormals` in a rectangle; writes the result to `detail`. */
+/** Combines the maps as `combineNormals` does, but only in a rectangle, and overwrites `detail` with the result. */
 export function overlayNormals(
   base: RgbaImage,
   detail: RgbaImage,
@@ -63,7 +63,8 @@ function blend(base: Uint8Array, detail: Uint8Array, i: number, out: Uint8Array)
   const tx = base[i] / 127.5 - 1
   const ty = base[i + 1] / 127.5 - 1
   const tz = base[i + 2] / 127.5
-  // 128 encodes 0 but decodes to half a step above 0. The base keeps the half step; the detail must not add another.
+  // Byte 128 encodes 0 but decodes to half a byte step above 0. The decoded base contains this half step, so the detail is decoded
+  // without it. Otherwise the half step would count twice.
   const ux = -(detail[i] - 128) / 127.5
   const uy = -(detail[i + 1] - 128) / 127.5
   const uz = detail[i + 2] / 127.5 - 1

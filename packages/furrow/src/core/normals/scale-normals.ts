@@ -4,7 +4,7 @@ import { toByte } from './normal-byte.ts'
 /**
  * Scales x and y of a normal map and renormalises.
  *
- * @returns the same image if the scale is 1, otherwise a new one.
+ * @returns `image` itself if the scale is 1, otherwise a new image.
  */
 export function scaleNormals(image: RgbaImage, scale: number): RgbaImage {
   if (scale === 1) return image

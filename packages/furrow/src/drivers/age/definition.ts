@@ -3,18 +3,18 @@ import type { Curve } from '../curve.ts'
 import type { DriverDefinition } from '../definition.ts'
 import { linkTo } from '../link.ts'
 
-/** Activates an area by the person's age, for permanent wrinkles. */
+/** Driver that activates an area (a group of wrinkles) by the person's age, for permanent wrinkles. */
 export interface AgeDriver {
   type: 'age'
-  /** Name of the area. */
+  /** Name of the activated area. */
   area: string
   /** Points [years, activation]. */
   curve: Curve
-  /** Age in years until the application sets the input, -1000..1000; default 20. With several drivers, the first one counts. */
+  /** Age in years until the application sets the input `age`, -1000..1000; default 20. Only the first `age` driver's value counts. */
   initial?: number
 }
 
-/** Range of ages in years. `youngest` is the default until the application sets the input `age`. */
+/** Range of ages in years. `youngest` is the default age. */
 export const AGES = { youngest: 20, oldest: 80 } as const
 
 export const age: DriverDefinition<AgeDriver> = {

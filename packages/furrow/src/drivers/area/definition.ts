@@ -3,12 +3,15 @@ import { type Curve, IDENTITY } from '../curve.ts'
 import type { DriverDefinition } from '../definition.ts'
 import { type Link, linksTo } from '../link.ts'
 
-/** Activates an area by other areas: links to their activations, combined by the rule and passed through the curve. */
+/**
+ * Driver that activates an area (a group of wrinkles) by the activations of other areas. The rule combines the links to one number, and the
+ * curve converts this number to the activation.
+ */
 export interface AreaDriver {
   type: 'area'
   /** Name of the activated area. */
   area: string
-  /** Areas to read. */
+  /** Links to the areas that the driver reads. */
   areas: Link[]
   rule: Rule
   /** Outputs are activations, 0..1. */

@@ -2,16 +2,16 @@ import type { Curve } from '../curve.ts'
 import type { DriverDefinition } from '../definition.ts'
 import { linkTo } from '../link.ts'
 
-/** Activates an area by the rotation of a joint, or by its distance from another joint. */
+/** Driver that activates an area (a group of wrinkles) by the rotation of a joint, or by the distance between two joints. */
 export interface BoneDriver {
   type: 'bone'
-  /** Name of the area. */
+  /** Name of the activated area. */
   area: string
-  /** Names of two nodes: the reference and the joint. */
+  /** Names of two nodes: a reference node, and the joint that is measured relative to it. */
   joints: [from: string, joint: string]
-  /** `angle`: rotation from the rest pose relative to the reference, radians. `distance`: distance between the two, metres. */
+  /** `angle`: rotation of the joint from its rest pose, in radians. `distance`: distance of the joint from the reference, in metres. */
   measure: 'angle' | 'distance'
-  /** Angle only: axis of the signed rotation, in the rest frame of the joint. Default: total rotation. */
+  /** Axis of a signed angle, in the rest frame of the joint. Without an axis, the angle of the total rotation is measured. */
   axis?: [number, number, number]
   /** Points [radians or metres, activation]. */
   curve: Curve

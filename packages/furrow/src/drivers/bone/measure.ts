@@ -1,34 +1,35 @@
 import type { InputOf } from '../activation.ts'
 
-/** Numbers per matrix: 4 x 4, column-major like `Matrix4.elements` of three.js. */
+/** Numbers per matrix. Matrices are 4 x 4, column-major, like `Matrix4.elements` of three.js. */
 export const MATRIX = 16
 
 type JointInput = InputOf<'joint'>
 
-/** One input, bound to its joints. */
+/** An input with the locations of its joints' matrices. */
 interface BoundJoint {
-  /** Offsets of the two joints' matrices. */
+  /** Offset of the reference joint's matrix in the array of matrices. */
   from: number
+  /** Offset of the measured joint's matrix. */
   joint: number
   /** Rest rotation of the joint relative to the reference: 3 x 3, column-major. */
   rest: Float64Array
-  /** Unit vector in the rest frame of the joint. */
+  /** Axis of a signed angle: unit vector in the rest frame of the joint. Null for the total rotation. */
   axis: readonly number[] | null
   measure: JointInput['measure']
 }
 
 /** Measures rotations of joints in radians, and distances between joints in metres. `measure` allocates nothing. */
 export class JointMeasurement {
-  /** Per input: missing joints, for warnings. Inputs with missing joints are not measured. */
+  /** For each input, the missing joints, as text for warnings. Inputs with missing joints are not measured. */
   readonly missing: readonly (readonly string[])[]
   readonly #bound: readonly (BoundJoint | null)[]
   readonly #rotation = new Float64Array(9)
 
   /**
-   * @param inputs inputs to measure, as in `DriverPlan.inputs.joint`.
-   * @param joints names of the existing joints, in the order of the matrices.
-   * @param restFor returns the world matrices of all joints in the rest pose of an input: 16 numbers each, column-major, metres. Scales
-   *   are ignored.
+   * @param inputs inputs to measure.
+   * @param joints names of all joints, in the order of their matrices.
+   * @param restFor returns, for an input, the world matrices of all joints in the rest pose. Each matrix is 16 numbers, column-major, with
+   *   positions in metres. Scales are ignored.
    */
   constructor(
     inputs: readonly JointInput[],
@@ -51,7 +52,7 @@ export class JointMeasurement {
   /**
    * Measures all inputs.
    *
-   * @param matrices current world matrices, in the layout of `restFor`.
+   * @param matrices current world matrices of all joints, in the layout of `restFor`.
    * @param out receives one number per input.
    */
   measure(matrices: ArrayLike<number>, out: Float64Array): void {
@@ -68,13 +69,15 @@ export class JointMeasurement {
     const { from, joint, rest, axis } = bound
     const current = this.#rotation
     relativeRotation(current, matrices, from, joint)
-    // The rotation in the rest frame of the joint is `transpose(rest) * current`. Its antisymmetric part is the axis times the sine.
+    // Relative to the rest frame of the joint, the rotation is R = transpose(rest) * current. The antisymmetric part of R contains the
+    // vector (x, y, z) = axis * sin(angle). The trace of R is 1 + 2 * cos(angle).
     const x = (dot(rest, 2, current, 1) - dot(rest, 1, current, 2)) / 2
     const y = (dot(rest, 0, current, 2) - dot(rest, 2, current, 0)) / 2
     const z = (dot(rest, 1, current, 0) - dot(rest, 0, current, 1)) / 2
     const cosine = (dot(rest, 0, current, 0) + dot(rest, 1, current, 1) + dot(rest, 2, current, 2) - 1) / 2
     if (axis) {
-      // Twist about the axis (swing-twist decomposition). As a quaternion, the rotation is w = cos(angle / 2) and (x, y, z) / (2 w).
+      // Angle of the twist about `axis` (swing-twist decomposition). The quaternion of R is w = cos(angle / 2), v = (x, y, z) / (2 * w).
+      // The twist angle is 2 * atan2(dot(v, axis), w). Both arguments are multiplied by w below.
       const along = x * axis[0] + y * axis[1] + z * axis[2]
       out[i] = 2 * Math.atan2(along / 2, Math.max(0, (1 + cosine) / 2))
     } else {
@@ -83,7 +86,7 @@ export class JointMeasurement {
   }
 }
 
-/** Returns the dot product of two columns. */
+/** Returns the dot product of column `i` of `a` and column `j` of `b`. */
 function dot(a: Float64Array, i: number, b: Float64Array, j: number): number {
   return a[3 * i] * b[3 * j] + a[3 * i + 1] * b[3 * j + 1] + a[3 * i + 2] * b[3 * j + 2]
 }
@@ -100,7 +103,7 @@ function measureDistance(
   out[i] = Math.sqrt(x * x + y * y + z * z)
 }
 
-/** Computes the rotation of one joint relative to another, `transpose(from) * joint`, with normalised columns. */
+/** Computes the rotation of a joint relative to a reference joint: `transpose(from) * joint`, from matrices with normalised columns. */
 function relativeRotation(out: Float64Array, matrices: ArrayLike<number>, from: number, joint: number): void {
   for (let column = 0; column < 3; column++) {
     for (let row = 0; row < 3; row++) {

@@ -1,8 +1,8 @@
 import type { DriverDefinition } from '../definition.ts'
 
 /**
- * Two blendshapes that cancel each other, such as raising and lowering one brow. The smaller weight is subtracted from both before drivers
- * read them. The mesh itself is unaffected.
+ * Driver for two blendshapes that cancel each other, such as raising and lowering the same brow. The smaller of their two weights is
+ * subtracted from both before other drivers read the weights. The weights of the mesh do not change.
  */
 export interface ConflictDriver {
   type: 'conflict'

@@ -1,13 +1,13 @@
 import type { DriverDefinition } from '../definition.ts'
 
-/** An expression in a file, for `ExpressionPlayer`. Activates nothing by itself. */
+/** Facial expression that a file stores as a driver. It has no effect until an `ExpressionPlayer` plays it. */
 export interface ExpressionDriver {
   type: 'expression'
   /** Name of the expression. */
   name: string
-  /** Blendshape weights by name; other blendshapes are 0. */
+  /** Blendshape weights by name. Blendshapes that are not listed have weight 0. */
   targets: { name: string; weight: number }[]
-  /** Activations, 0..1, for areas without other drivers. */
+  /** Activations, 0..1, of areas that have no other driver. */
   activations: { area: string; activation: number }[]
 }
 

@@ -1,17 +1,17 @@
 import { driversOf } from '../of-type.ts'
 import type { WrinkleDriver } from '../registry.ts'
 
-/** A facial expression: weights of blendshapes and activations of areas. */
+/** A facial expression: blendshape weights and activations of areas. */
 export interface Expression {
-  /** Name for `play`. */
+  /** Name that `ExpressionPlayer.play` accepts. */
   name: string
-  /** Blendshape weights, 0..1, by name in any spelling that `findTargets` knows; other blendshapes are 0. */
+  /** Blendshape weights, 0..1, by name, in any spelling that `findTargets` knows. Blendshapes that are not listed have weight 0. */
   targets: Readonly<Record<string, number>>
-  /** Activations by area, 0..1; other areas are at rest. */
+  /** Activations, 0..1, by name of the area. Areas that are not listed have their resting activation. */
   activations: Readonly<Record<string, number>>
 }
 
-/** Returns the expressions among a file's drivers. */
+/** Converts all drivers of type `expression` to expressions. */
 export function expressionsOf(drivers: readonly WrinkleDriver[]): Expression[] {
   return driversOf('expression', drivers).map(({ name, targets, activations }) => ({
     name,

@@ -1,7 +1,7 @@
 import type { Expression } from './expression.ts'
 import { EXPRESSIONS } from './presets.ts'
 
-/** Blendshapes that are complete expressions, by their names in VRM 1.0. */
+/** Expressions for faces whose blendshapes are named like VRM 1.0 expressions. Each moves the blendshape of the same name. */
 const EXPRESSION_SHAPES: readonly Expression[] = ['happy', 'angry', 'sad', 'relaxed', 'surprised'].map(
   (name) => ({
     name,
@@ -10,22 +10,23 @@ const EXPRESSION_SHAPES: readonly Expression[] = ['happy', 'angry', 'sad', 'rela
   }),
 )
 
-/** Properties of a face that decide its expressions. */
+/** Properties of a face that decide which expressions it can show. */
 export interface ExpressiveFace {
-  /** Expressions in the file's drivers. */
+  /** Expressions stored as drivers in the file. */
   authored: readonly Expression[]
-  /** Expressions of the VRM. */
+  /** Expressions of a VRM avatar. */
   vrm: readonly Expression[]
-  /** Selects the names of existing blendshapes, in any spelling that `findTargets` knows. */
+  /** Returns those names that match a blendshape of the face, in any spelling that `findTargets` knows. */
   targetsAmong(names: readonly string[]): ReadonlySet<string>
   hasArea(name: string): boolean
 }
 
 /**
- * Lists the expressions that a face can show: authored expressions, those of a VRM, and blendshapes that are complete expressions. Without
- * authored expressions, adds the `EXPRESSIONS` whose shapes exist. Duplicate names are skipped.
+ * Lists the expressions that a face can show: authored expressions, expressions of a VRM avatar, and blendshapes named like VRM
+ * expressions. If the file has no authored expressions, adds the presets in `EXPRESSIONS` that the face can show. Of several expressions
+ * with the same name, the first is kept.
  *
- * @returns expressions, the initial one first: the first authored one, otherwise `neutral`.
+ * @returns expressions. The initial one comes first: the first authored expression, or `neutral` if there is none.
  */
 export function faceExpressions({ authored, vrm, targetsAmong, hasArea }: ExpressiveFace): Expression[] {
   const [first, ...others] =
@@ -41,13 +42,13 @@ export function faceExpressions({ authored, vrm, targetsAmong, hasArea }: Expres
   return uniqueByName([first, ...shown])
 }
 
-/** Whether a face has one of the shapes with the largest weight in an expression. */
+/** Whether a face has the blendshape with the largest weight in an expression. If several share this weight, one of them is enough. */
 export function canMove({ targets }: Expression, hasTarget: (name: string) => boolean): boolean {
   const most = Math.max(...Object.values(targets))
   return Object.entries(targets).some(([name, weight]) => weight > 0 && weight === most && hasTarget(name))
 }
 
-/** Removes expressions with duplicate names; keeps the first. */
+/** Removes expressions with duplicate names. Keeps the first expression of each name. */
 export function uniqueByName(expressions: readonly Expression[]): Expression[] {
   const names = new Set<string>()
   return expressions.filter(({ name }) => !names.has(name) && names.add(name))

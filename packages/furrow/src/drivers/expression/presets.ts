@@ -2,7 +2,7 @@ import type { Expression } from './expression.ts'
 
 const both = (name: string, weight = 1) => ({ [`${name}Left`]: weight, [`${name}Right`]: weight })
 
-/** Expressions for faces with ARKit's blendshapes and the areas of the shipped faces; `neutral` comes first. */
+/** Preset expressions. They use ARKit blendshapes, and the area names of the faces that ship with Furrow. `neutral` comes first. */
 export const EXPRESSIONS: readonly Expression[] = [
   { name: 'neutral', targets: {}, activations: {} },
   {
@@ -22,7 +22,7 @@ export const EXPRESSIONS: readonly Expression[] = [
   },
   {
     name: 'happy',
-    // The upper teeth show.
+    // In this smile, the upper teeth are visible.
     targets: {
       ...both('mouthSmile', 0.8),
       ...both('mouthUpperUp', 0.6),

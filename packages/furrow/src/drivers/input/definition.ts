@@ -2,12 +2,12 @@ import type { Curve } from '../curve.ts'
 import type { DriverDefinition } from '../definition.ts'
 import { linkTo } from '../link.ts'
 
-/** Activates an area by a custom input, such as stress, cold or loudness. */
+/** Driver that activates an area (a group of wrinkles) by a number that the application sets, such as stress, cold or loudness. */
 export interface InputDriver {
   type: 'input'
-  /** Name of the input, as in `wrinkles.inputs.set(name, value)`; 0 until it is set. */
+  /** Name of the input. The application sets it with `wrinkles.inputs.set(name, value)`. The input is 0 until it is set. */
   name: string
-  /** Name of the area. */
+  /** Name of the activated area. */
   area: string
   /** Points [input, activation]. */
   curve: Curve

@@ -1,4 +1,4 @@
-/** ARKit shapes with a left and a right side, without the side. MediaPipe uses the same 52 names. */
+/** Names, without `Left` and `Right`, of ARKit blendshapes that exist for both sides. MediaPipe uses ARKit's names. */
 export const BOTH_SIDES: readonly string[] = [
   'browDown',
   'browOuterUp',
@@ -20,7 +20,7 @@ export const BOTH_SIDES: readonly string[] = [
   'noseSneer',
 ]
 
-/** ARKit shapes without sides. */
+/** Names of the ARKit blendshapes that have no side. */
 export const CENTRAL: readonly string[] = [
   'browInnerUp',
   'cheekPuff',
@@ -41,7 +41,7 @@ export const CENTRAL: readonly string[] = [
 ]
 
 const OTHER_RIGS = [
-  // Visemes of Oculus and VRChat, vowels of VRM and VRoid.
+  // Visemes of Oculus and VRChat, and vowels of VRM and VRoid.
   ['viseme_sil', 'vrc.v_sil'],
   ['viseme_PP', 'vrc.v_pp'],
   ['viseme_FF', 'vrc.v_ff'],
@@ -57,7 +57,7 @@ const OTHER_RIGS = [
   ['viseme_I', 'vrc.v_ih', 'ih', 'Fcl_MTH_I'],
   ['viseme_O', 'vrc.v_oh', 'oh', 'Fcl_MTH_O'],
   ['viseme_U', 'vrc.v_ou', 'ou', 'Fcl_MTH_U'],
-  // Expressions of VRM 1.0, shapes of VRoid, names of VRM 0.x.
+  // Expressions of VRM 1.0, VRoid and VRM 0.x.
   ['happy', 'Fcl_ALL_Joy', 'joy'],
   ['angry', 'Fcl_ALL_Angry'],
   ['sad', 'Fcl_ALL_Sorrow', 'sorrow'],
@@ -69,8 +69,8 @@ const OTHER_RIGS = [
 ]
 
 /**
- * Names of the same shape in different rigs: one list per shape, canonical name first. `target-names.ts` handles spelling, prefixes and
- * `_L` / `_R`. Rigs for authoring only are in `author/shapes/names`.
+ * Names of blendshapes in different rigs: one list per shape, with the canonical name first. Differences of spelling, prefixes, and `_L` or
+ * `_R` instead of `Left` or `Right` are not listed, because `target-names.ts` handles them. `author/shapes/names` lists more rigs.
  */
 export const ALIASES: readonly (readonly string[])[] = [
   ...BOTH_SIDES.flatMap((name) => ['Left', 'Right'].map((side) => [`${name}${side}`])),

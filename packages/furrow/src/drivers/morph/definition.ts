@@ -3,12 +3,15 @@ import { type Curve, IDENTITY } from '../curve.ts'
 import type { DriverDefinition } from '../definition.ts'
 import { type Link, linksTo } from '../link.ts'
 
-/** Activates an area by blendshapes: links to their weights, combined by the rule and passed through the curve. */
+/**
+ * Driver that activates an area (a group of wrinkles) by blendshape weights. The rule combines the links to one number, and the curve
+ * converts this number to the activation.
+ */
 export interface MorphDriver {
   type: 'morph'
-  /** Name of the area. */
+  /** Name of the activated area. */
   area: string
-  /** Blendshapes to read, in any spelling that `findTargets` knows. */
+  /** Links to the blendshapes that the driver reads. Names may have any spelling that `findTargets` knows. */
   targets: Link[]
   rule: Rule
   /** Outputs are activations, 0..1. */

@@ -2,27 +2,28 @@ import { isObject } from '../../core/argument.ts'
 import type { Expression } from '../expression/expression.ts'
 import { canonicalTargetName, targetFinder } from './target-names.ts'
 
-/** A blendshape that an expression moves, by its index in the file. */
+/** A blendshape that a VRM expression moves. */
 export interface ExpressionBind {
+  /** Index of the blendshape in its mesh. */
   index: number
   /** Weight of the blendshape if the expression has weight 1. */
   weight: number
 }
 
 /**
- * Reads the blendshapes of a mesh that VRM expressions move: `morphTargetBinds` of VRM 1.0 (`VRMC_vrm`), `blendShapeGroups` of VRM 0
- * (`VRM`).
+ * Reads which blendshapes of a mesh are moved by VRM expressions. VRM 1.0 stores them in `morphTargetBinds` of the extension `VRMC_vrm`,
+ * and VRM 0 in `blendShapeGroups` of the extension `VRM`.
  *
- * @param json JSON of the file; malformed parts are ignored.
+ * @param json JSON of the file. Malformed parts are ignored.
  * @param mesh index of the mesh in the file.
- * @returns blendshapes by expression name in VRM 1.0, as in three-vrm.
+ * @returns blendshapes by name of the expression. Names of VRM 0 presets are converted to VRM 1.0, as three-vrm does.
  */
 export function expressionBinds(json: unknown, mesh: number): Map<string, ExpressionBind[]> {
   const { extensions, nodes } = fieldsOf(json)
   const { VRMC_vrm, VRM } = fieldsOf(extensions)
   const found = new Map<string, ExpressionBind[]>()
   const add = (name: unknown, binds: Fields[], full: number) => {
-    // three-vrm takes the first of duplicate names.
+    // If several expressions have the same name, three-vrm uses the first.
     if (typeof name !== 'string' || found.has(name)) return
     found.set(
       name,
@@ -48,7 +49,7 @@ export function expressionBinds(json: unknown, mesh: number): Map<string, Expres
   return found
 }
 
-/** Returns the names of VRM expressions that fully move a single blendshape of a mesh, by blendshape index. */
+/** Finds VRM expressions that set one blendshape of a mesh to weight 1 and move no other. Returns their names by blendshape index. */
 export function soleExpressions(json: unknown, mesh: number): Map<number, string> {
   const found = new Map<number, string>()
   for (const [name, [bind, ...others]] of expressionBinds(json, mesh))
@@ -57,9 +58,9 @@ export function soleExpressions(json: unknown, mesh: number): Map<number, string
 }
 
 /**
- * Reads the VRM expressions that move blendshapes, in the order of the file.
+ * Reads all VRM expressions that move blendshapes.
  *
- * @param json JSON of the file; malformed parts are ignored.
+ * @param json JSON of the file. Malformed parts are ignored.
  */
 export function vrmExpressions(json: unknown): Expression[] {
   const found = new Map<string, Record<string, number>>()
@@ -83,7 +84,7 @@ export function vrmExpressions(json: unknown): Expression[] {
   )
 }
 
-/** Returns the names of a mesh's blendshapes as three.js's loader does; indices if the file has no names. */
+/** Returns the names of a mesh's blendshapes, as the loader of three.js does. Without names in the file, returns indices as text. */
 export function writtenNames(mesh: unknown): string[] {
   const { primitives, extras } = fieldsOf(mesh)
   const { targets } = listOf(primitives)[0] ?? {}
@@ -93,7 +94,7 @@ export function writtenNames(mesh: unknown): string[] {
   return Array.from({ length: count }, (_, i) => String(isNamed ? names[i] : i))
 }
 
-/** Expressions of VRM 1.0 by VRM 0 preset, as in three-vrm (`VRMExpressionLoaderPlugin.v0v1PresetNameMap`). */
+/** Names of VRM 1.0 expressions by preset of VRM 0, from `VRMExpressionLoaderPlugin.v0v1PresetNameMap` in three-vrm. */
 const PRESETS: ReadonlyMap<unknown, string> = new Map(
   Object.entries({
     a: 'aa',

@@ -1,40 +1,38 @@
-/** Required part of three-vrm's `VRMExpression`. */
+/** Properties of three-vrm's `VRMExpression` that this module reads. */
 export interface VrmExpression {
-  /** Name of the expression. */
   expressionName: string
-  /** Weight before overrides, 0..1; 0 or 1 for binary expressions. */
+  /** Weight before overrides, 0..1. */
   outputWeight: number
   /** Whether the weight is always 0 or 1. */
   isBinary: boolean
-  /** Suppression of blink expressions, 0..1. */
+  /** By how much this expression suppresses blink expressions, 0..1. */
   overrideBlinkAmount: number
-  /** Suppression of look-at expressions, 0..1. */
+  /** By how much this expression suppresses look-at expressions, 0..1. */
   overrideLookAtAmount: number
-  /** Suppression of mouth expressions, 0..1. */
+  /** By how much this expression suppresses mouth expressions, 0..1. */
   overrideMouthAmount: number
 }
 
-/** Required part of three-vrm's `VRMExpressionManager`. */
+/** Properties of three-vrm's `VRMExpressionManager` that this module reads. */
 export interface VrmExpressions {
-  /** All expressions. */
   expressions: readonly VrmExpression[]
-  /** Names of expressions that the blink override suppresses. */
+  /** Names of the blink expressions. Other expressions suppress them by `overrideBlinkAmount`. */
   blinkExpressionNames: readonly string[]
   lookAtExpressionNames: readonly string[]
   mouthExpressionNames: readonly string[]
 }
 
-/** Override that suppresses an expression. */
+/** Kind of override that suppresses an expression; null if none does. */
 type Kind = 'blink' | 'lookAt' | 'mouth' | null
 
-/** Weights of VRM expressions after overrides (VRM 1.0, `VRMC_vrm` expressions). `writeTo` allocates nothing. */
+/** Computes the weights of VRM expressions after overrides, as VRM 1.0 specifies for `VRMC_vrm`. `writeTo` allocates nothing. */
 export class VrmWeights {
-  /** Names of the expressions, in the order of `writeTo`. */
+  /** Names of the expressions. `writeTo` writes the weights in the same order. */
   readonly names: readonly string[]
   readonly #expressions: readonly VrmExpression[]
   readonly #kinds: readonly Kind[]
 
-  /** @param manager expression manager. The list of expressions is copied; weights are read in every `writeTo`. */
+  /** @param manager expression manager. Its list of expressions is copied. The weights are read in every call of `writeTo`. */
   constructor(manager: VrmExpressions) {
     this.#expressions = [...manager.expressions]
     this.names = this.#expressions.map(({ expressionName }) => expressionName)
@@ -46,9 +44,9 @@ export class VrmWeights {
   }
 
   /**
-   * Writes the current weights, 0..1.
+   * Computes the current weights.
    *
-   * @param weights receives one weight per name.
+   * @param weights receives one weight, 0..1, per name.
    * @param offset index of the first weight.
    */
   writeTo(weights: Float32Array | Float64Array, offset: number): void {
@@ -65,7 +63,7 @@ export class VrmWeights {
       const kind = this.#kinds[i]
       const remaining = kind === 'blink' ? blink : kind === 'lookAt' ? lookAt : kind === 'mouth' ? mouth : 1
       const { outputWeight, isBinary } = this.#expressions[i]
-      // Any override turns a binary expression off.
+      // An override of any amount turns a binary expression off.
       weights[offset + i] = isBinary && remaining < 1 ? 0 : outputWeight * Math.max(0, remaining)
     }
   }

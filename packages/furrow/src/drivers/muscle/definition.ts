@@ -4,30 +4,34 @@ import type { DriverDefinition } from '../definition.ts'
 import { linkTo } from '../link.ts'
 
 /**
- * A virtual muscle (Waters 1987). It adds a morph target of its name that pulls the skin in its zone. The target's weight is the
- * contraction and activates the area. Positions are in metres, in the space of the mesh at rest.
+ * A virtual muscle (Waters 1987). The muscle adds a morph target to the mesh. The morph target pulls the skin in the muscle's zone. The
+ * weight of the morph target is the contraction of the muscle. This weight activates the area. Positions are in metres, in the space of the
+ * mesh at rest.
  */
 export interface MuscleDriver {
   type: 'muscle'
-  /** Name of the muscle and its morph target. */
+  /** Name of the muscle and of its morph target. */
   name: string
-  /** Optional name of the area; without it, the muscle only moves the skin. */
+  /** Name of the activated area. Without an area, the muscle only moves the skin. */
   area?: string
-  /** `linear`: cone that converges at the origin; `sheet`: parallel fibres; `sphincter`: ellipse that contracts to its centre. */
+  /** Shape of the zone. `linear`: cone with its tip at the origin. `sheet`: parallel fibres. `sphincter`: ellipse around the origin. */
   kind: 'linear' | 'sheet' | 'sphincter'
-  /** Attachment to the bone, or centre of a sphincter. */
+  /** Attachment of the muscle to the bone, or centre of a sphincter. */
   origin: [number, number, number]
-  /** Attachment to the skin, or end of a sphincter's semi-axis. */
+  /** Attachment of the muscle to the skin, or end of the first semi-axis of a sphincter. */
   insertion: [number, number, number]
-  /** Linear only: angle from the axis to the edge of the zone in radians, 0.001..1.57. */
+  /** Half the opening angle of a `linear` muscle's cone, in radians, 0.001..1.57. */
   angle: number
-  /** Half the width of a sheet, or the other semi-axis of a sphincter, metres. */
+  /** Half the width of a sheet, or length of the second semi-axis of a sphincter, in metres. */
   width: number
-  /** Distance of the strongest pull, as a fraction of the distance from origin to insertion. */
+  /** Distance from the origin at which the pull is strongest, as a fraction of the muscle's length (from origin to insertion). */
   inner: number
-  /** Distance at which the pull ends, in the same unit; larger than `inner`. */
+  /** Distance from the origin at which the pull ends, as a fraction of the muscle's length. Larger than `inner`. */
   outer: number
-  /** Movement towards the origin at full contraction, as a fraction of the distance to the origin, -1..1. */
+  /**
+   * Pull at full contraction, -1..1. Skin moves towards the origin by this fraction of its distance from the origin. In a sheet, skin moves
+   * along the fibres by this fraction of the muscle's length.
+   */
   strength: number
 }
 

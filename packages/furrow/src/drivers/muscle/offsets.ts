@@ -4,12 +4,15 @@ import type { MuscleDriver } from './definition.ts'
 type Vector = readonly [number, number, number]
 
 /**
- * Computes the displacement of each vertex at full contraction of a muscle. It is linear in the contraction, so a muscle is a morph target.
- * After K. Waters, "A Muscle Model for Animating Three-Dimensional Facial Expression", SIGGRAPH 1987. Zones are in units of the muscle's
- * length, and the fall-off to the edge of the angle is continuous, unlike Waters' cosine.
+ * Computes the displacement of each vertex at full contraction of a virtual muscle. Displacements are proportional to the contraction, so
+ * a muscle can be a morph target.
+ *
+ * The method is from K. Waters, "A Muscle Model for Animating Three-Dimensional Facial Expression", SIGGRAPH 1987, with two changes.
+ * Distances are fractions of the muscle's length. The pull of a linear muscle falls to 0 at the edge of its cone, where Waters' pull
+ * jumps to 0.
  *
  * @param positions xyz of each vertex at rest, in metres, in the space of the muscle; not modified.
- * @returns xyz displacement of each vertex; exactly 0 outside the zone.
+ * @returns xyz displacement of each vertex; exactly 0 outside the muscle's zone.
  */
 export function muscleOffsets(muscle: MuscleDriver, positions: ArrayLike<number>): Float32Array {
   const offsets = new Float32Array(positions.length)
@@ -25,7 +28,14 @@ export function muscleOffsets(muscle: MuscleDriver, positions: ArrayLike<number>
   return offsets
 }
 
-/** Computes the displacement of a vertex at strength 1; undefined outside the zone. */
+/**
+ * Computes the displacement of a vertex for strength 1.
+ *
+ * @param from vector from the muscle's origin to the vertex, in metres.
+ * @param along unit vector from the origin to the insertion.
+ * @param length distance from the origin to the insertion, in metres.
+ * @returns undefined if the vertex is outside the muscle's zone.
+ */
 type Pull = (muscle: MuscleDriver, from: Vector, along: Vector, length: number) => Vector | undefined
 
 const PULLS: Record<MuscleDriver['kind'], Pull> = {
@@ -51,7 +61,7 @@ const PULLS: Record<MuscleDriver['kind'], Pull> = {
   },
 }
 
-/** Returns 0 at the origin, 1 at `inner` and 0 beyond `outer`; distances are fractions of the muscle's length. */
+/** Returns the strength of the pull: 0 at the origin, 1 at `inner`, 0 at `outer`. `distance` is a fraction of the muscle's length. */
 function rise(muscle: MuscleDriver, distance: number): number {
   return distance > muscle.inner
     ? fallOff(muscle, distance)

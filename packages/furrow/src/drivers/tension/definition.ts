@@ -2,16 +2,16 @@ import type { Curve } from '../curve.ts'
 import type { DriverDefinition } from '../definition.ts'
 import { linkTo } from '../link.ts'
 
-/** Activates an area by the strain of the skin under it, whatever deforms the mesh. */
+/** Driver that activates an area (a group of wrinkles) by the strain of its skin. Blendshapes, joints or other deformations cause strain. */
 export interface TensionDriver {
   type: 'tension'
-  /** Name of the area. */
+  /** Name of the activated area. */
   area: string
-  /** Measured strain: fraction by which the skin is shortened (`compression`) or lengthened (`stretch`). */
+  /** Measured strain: the fraction of its rest length by which the skin is shortened (`compression`) or lengthened (`stretch`). */
   measure: 'compression' | 'stretch'
-  /** Direction of measurement in texture coordinates, across the wrinkles (Nordenberg 2003); default: the principal direction. */
+  /** Direction of measurement in texture coordinates, across the wrinkles (Nordenberg 2003). Default: principal direction of the strain. */
   direction?: [u: number, v: number]
-  /** Points [fraction, activation]. */
+  /** Points [strain, activation]. */
   curve: Curve
 }
 

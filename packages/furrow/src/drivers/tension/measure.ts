@@ -1,7 +1,7 @@
 import { type AtRest, principalStretches, restMatrix } from '../../math/stretch.ts'
 import type { InputOf } from '../activation.ts'
 
-/** Triangles that represent an area. */
+/** Triangles on which the tension of an area is measured. */
 export interface TensionSample {
   /** Name of the area. */
   area: string
@@ -9,28 +9,29 @@ export interface TensionSample {
   triangles: ArrayLike<number>
 }
 
-/** One input, bound to its triangles. */
+/** An input with its triangles. */
 interface BoundTension {
+  /** Three indices of vertices per triangle. */
   corners: Uint32Array
-  /** `restMatrix` of each triangle. */
+  /** Result of `restMatrix` for each triangle. */
   inverses: Float64Array
   isStretch: boolean
 }
 
 /**
- * Measures the compression or stretch of the skin under areas, as a mean over triangles. Compression is 1 minus the smaller principal
- * stretch, and stretch is the larger one minus 1. With a direction, the stretch along it replaces both. A rigid motion gives 0. The method
- * `measure` allocates nothing.
+ * Measures the compression or stretch of the skin of areas, as a mean over triangles. A triangle has two principal ratios of deformed length
+ * to rest length. Its compression is 1 minus the smaller ratio; its stretch is the larger ratio minus 1. If an input has a direction, only
+ * the ratio along this direction is measured. `measure` allocates nothing.
  */
 export class TensionMeasurement {
-  /** Per input: `triangles` if the area has none, for warnings. Inputs without triangles are not measured. */
+  /** For each input, `['triangles']` if its area has no triangles, otherwise empty. Inputs without triangles are not measured. */
   readonly missing: readonly (readonly string[])[]
   readonly #bound: readonly (BoundTension | null)[]
   readonly #stretches = new Float64Array(2)
 
   /**
-   * @param inputs inputs to measure, as in `DriverPlan.inputs.tension`.
-   * @param samples triangles of the inputs' areas; degenerate triangles are skipped.
+   * @param inputs inputs to measure.
+   * @param samples triangles of each area that an input measures. Degenerate triangles are skipped.
    * @param rest xyz of each vertex at rest, in any unit.
    * @param uvs u and v of each vertex; required for inputs with a direction.
    */
@@ -56,7 +57,8 @@ export class TensionMeasurement {
    * Measures all inputs.
    *
    * @param positions xyz of each deformed vertex, in the unit of `rest`.
-   * @param out receives one fraction of the rest length per input, negative for the opposite strain.
+   * @param out receives one number per input, as a fraction of the rest length. The number is negative if compression is measured but the
+   *   skin stretches, or the reverse.
    */
   measure(positions: ArrayLike<number>, out: Float64Array): void {
     for (let i = 0; i < this.#bound.length; i++) {
@@ -81,7 +83,7 @@ export class TensionMeasurement {
   }
 }
 
-/** Computes the rest matrices of triangles; skips degenerate ones. */
+/** Computes the rest matrices of triangles. Skips degenerate triangles. */
 function measureAtRest(triangles: ArrayLike<number>, rest: AtRest) {
   const [corners, inverses]: number[][] = [[], []]
   for (let k = 0; k + 2 < triangles.length; k += 3) {

@@ -1,29 +1,34 @@
 import { repeat } from '../../core/repeat.ts'
 import type { GrayImage } from '../../core/types.ts'
 
-/** Triangles of a mesh, with the texture coordinates of areas. */
+/** A triangle mesh with texture coordinates, from which triangles are sampled. */
 export interface SampledMesh {
   /** xyz of each vertex at rest. */
   positions: ArrayLike<number>
-  /** u and v of each vertex, v downwards, in the UV layout of the areas; repeat outside 0..1. */
+  /** u and v of each vertex, v downwards, in the UV layout of the areas. Coordinates outside 0..1 repeat. */
   uvs: ArrayLike<number>
   /** Three indices of vertices per triangle. */
   triangles: ArrayLike<number>
 }
 
 /**
- * Draws random triangles under an area. The probability of a triangle is proportional to its surface times the area's weight, so that the
- * plain mean over the samples estimates the weighted mean over the area. A triangle may be drawn repeatedly.
+ * Selects sample triangles of an area of influence. A triangle can be selected several times: the number is proportional to the size of the
+ * triangle times the weight there. The mean of a quantity over the samples therefore estimates its weighted mean over the skin.
  *
  * @param weights weights of the area, row 0 at v = 0.
  * @param count number of samples.
- * @returns three indices of vertices per sample; empty if the area covers no triangle.
+ * @returns three indices of vertices per sample. Empty if the area covers no triangle.
  */
 export function sampleTriangles(mesh: SampledMesh, weights: GrayImage, count: number): Uint32Array {
   return sampleCovered(mesh, coverage(mesh, weights), count)
 }
 
-/** `sampleTriangles` for known coverage; empty if the coverage is 0 everywhere. */
+/**
+ * Selects sample triangles as `sampleTriangles` does.
+ *
+ * @param covered result of `coverage`.
+ * @returns three indices of vertices per sample. Empty if `covered` is 0 for all triangles.
+ */
 export function sampleCovered({ triangles }: SampledMesh, covered: Float64Array, count: number): Uint32Array {
   let sum = 0
   const cumulative = covered.map((coverage) => {
@@ -40,7 +45,7 @@ export function sampleCovered({ triangles }: SampledMesh, covered: Float64Array,
   return Uint32Array.from(corners)
 }
 
-/** Computes the coverage of each triangle by an area: weight at the centroid, 0..1, times the surface at rest. */
+/** Computes the coverage of each triangle: the weight at the centroid, 0..1, times the surface area of the triangle at rest. */
 export function coverage(mesh: SampledMesh, weights: GrayImage): Float64Array {
   return Float64Array.from(
     { length: mesh.triangles.length / 3 },
@@ -60,7 +65,7 @@ function weightOf({ uvs, triangles }: SampledMesh, { width, height, data }: Gray
   return data[texel(repeat(v), height) * width + texel(repeat(u), width)] / 255 || 0
 }
 
-/** Returns the surface of a triangle at rest; 0 if a position is NaN or infinite. */
+/** Returns the surface area of a triangle at rest, or 0 if a position is NaN or infinite. */
 function surface({ positions, triangles }: SampledMesh, k: number): number {
   const edge = (corner: number, axis: number) =>
     positions[3 * triangles[3 * k + corner] + axis] - positions[3 * triangles[3 * k] + axis]

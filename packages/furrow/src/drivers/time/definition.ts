@@ -1,20 +1,20 @@
 import type { DriverDefinition } from '../definition.ts'
 
-/** Delays an area's activation: skin creases quickly and relaxes slowly. */
+/** Driver that delays the activation of an area (a group of wrinkles), because skin creases quickly and relaxes slowly. */
 export interface TimeDriver {
   type: 'time'
   /** Name of the area. */
   area: string
-  /** Time constant of a rising activation, seconds, 0..60: the time to cover 63% of the difference. */
+  /** Time constant of a rising activation in seconds, 0..60. If the target jumps, the activation covers 63% of the jump in this time. */
   attack: number
-  /** Time constant of a falling activation, seconds, 0..60. */
+  /** Time constant of a falling activation in seconds, 0..60. */
   release: number
 }
 
-/** Maximum attack or release, seconds. */
+/** Maximum of `attack` and `release`, in seconds. */
 const MAX_TIME = 60
 
-/** Exponential decay, independent of the frame rate: ten steps of 10 ms equal one of 100 ms. */
+/** The activation approaches its target exponentially. The result does not depend on the frame rate: ten steps of 10 ms equal one of 100 ms. */
 export const time: DriverDefinition<TimeDriver> = {
   type: 'time',
   read: (fields) => ({

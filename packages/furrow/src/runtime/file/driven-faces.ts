@@ -2,21 +2,20 @@ import { targetFinder } from '../../drivers/morph/target-names.ts'
 import { planDrivers } from '../../drivers/plan.ts'
 import type { WrinkleDriver } from '../../drivers/registry.ts'
 
-/** Properties of a mesh that decide whether it is a face. */
 export interface FaceMeasure {
-  /** Names of its blendshapes. */
+  /** Names of the mesh's blendshapes. */
   targets: readonly string[]
   vertices: number
 }
 
-/** Minimum number of driven blendshapes on a face, as a fraction of the best mesh. */
+/** Minimum number of driven blendshapes on a face, as a fraction of the largest number on any mesh. */
 const MIN_SHAPES = 0.5
 
 /**
- * Finds the faces among meshes that share a wrinkled material, by the blendshapes that its drivers read. Eyes, teeth and hands often have
- * the skin's material too.
+ * Finds the faces among meshes that share a wrinkled material. Eyes, teeth and hands often have this material too. Drivers activate wrinkles
+ * by blendshapes, so the faces are the meshes with the most blendshapes that drivers of the material read.
  *
- * @returns the faces, most driven blendshapes first; all meshes if none has such a blendshape.
+ * @returns the faces, sorted by number of driven blendshapes, largest first. If no mesh has a driven blendshape, returns all meshes.
  */
 export function drivenFaces<T>(
   meshes: readonly T[],

@@ -1,10 +1,8 @@
 import { FurrowError } from '../../core/error.ts'
 
 /**
- * Converts an error thrown while reading a file to a `FurrowError`, because messages of engines and browsers vary. Returns a
+ * Converts an error that an engine or browser threw while reading a file to a `FurrowError` with parts `who` and `problem`. Returns a
  * `FurrowError` unchanged.
- *
- * @param who, problem parts of the new error.
  */
 export function fileError(thrown: unknown, who: string, problem: string): FurrowError {
   if (thrown instanceof FurrowError) return thrown

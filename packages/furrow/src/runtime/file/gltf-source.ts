@@ -6,38 +6,38 @@ export interface GltfSource {
   // biome-ignore lint/suspicious/noExplicitAny: JSON of any shape
   readonly json: any
   /**
-   * Reads the bytes of an image; undefined if the image does not exist.
+   * Reads the bytes of an image file, or returns undefined if the glTF file has no such image.
    *
-   * @param image index of the image.
+   * @param image index of the image; may be any JSON value.
    * @param who name of the texture in errors.
    * @throws FurrowError if the image cannot be fetched.
    */
   readBytes(image: unknown, who: string): Promise<Uint8Array<ArrayBuffer> | undefined>
-  /** Whether KTX 2 is preferred for textures that also have another image. */
+  /** Whether to load the KTX 2 image of a texture that also has an image in another format. */
   readonly prefersArrays: boolean
-  /** Loads the KTX 2 reader, a lazy chunk because most files have no KTX 2. */
+  /** Loads the code that reads KTX 2. It is a separate chunk, because most files have no KTX 2 images. */
   fetchArrays(): Promise<FileArrays>
 }
 
 /** Reads the KTX 2 images and arrays of a file. */
 export interface FileArrays {
   /**
-   * Loads an image or array.
+   * Loads a KTX 2 image or array.
    *
    * @param index index of the texture.
-   * @param check throws if the image must not be decoded.
+   * @param check is called with the size before decoding, and throws if the image is too large.
    * @throws FurrowError if the image cannot be read.
    */
   load(index: number, use: MapUse, check: (shape: TextureShape) => void): Promise<FileArray>
-  /** Joins the arrays of each kind of map into one array. */
+  /** Joins all texture arrays of the same kind of map (such as normals) into one array. */
   join(set: WrinkleSet<ArraySlice>): WrinkleSet<ArraySlice>
 }
 
-/** Use of an image, which decides the GPU format of arrays. */
+/** Use of a KTX 2 image. The GPU format depends on it. */
 export type MapUse = 'areas' | 'maps' | 'colours'
 
-/** A KTX 2 image or array: the engine's texture, and the shape in the header. */
 export interface FileArray {
+  /** The engine's texture object. */
   array: object
   header: TextureShape
 }

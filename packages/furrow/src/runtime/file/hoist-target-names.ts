@@ -5,9 +5,11 @@ const isObject = (value: unknown): value is Record<string, unknown> =>
 const listOf = (value: unknown): unknown[] => (Array.isArray(value) ? value : [])
 
 /**
- * Moves blendshape names to `extras.targetNames` of the mesh, where glTF readers expect them. Some exporters write `extras.targetNames`
- * of primitives, or `targets[].extra.targetName`, which glTF forbids. An unusable name becomes the index of its blendshape: a name that is
- * empty, too long for a driver, or used by a later blendshape, which three.js would find instead.
+ * Moves blendshape names to `extras.targetNames` of the mesh, where glTF readers expect them. Some exporters write them to
+ * `extras.targetNames` of primitives, or to `targets[].extra.targetName`, which glTF forbids.
+ *
+ * If a name is empty or too long for a driver, the index of its blendshape replaces it. If several blendshapes have the same name, only the
+ * last keeps the name, because three.js finds only the last.
  *
  * @param json JSON of a file, possibly malformed; modified.
  */
@@ -21,7 +23,7 @@ export function hoistTargetNames(json: unknown): void {
   }
 }
 
-/** Replaces names that drivers cannot use by indices, which stay unique. */
+/** Returns the names, with a unique name in place of each name that drivers cannot use. The unique name contains the blendshape's index. */
 function usableNames(names: readonly unknown[]): unknown[] {
   const last = new Map(names.map((name, i) => [name, i]))
   const isUsable = (name: unknown, i: number) =>
@@ -30,12 +32,12 @@ function usableNames(names: readonly unknown[]): unknown[] {
   return names.map((name, i) => (isUsable(name, i) ? name : indexName(i)))
 }
 
-/** Returns and removes the names in a primitive; empty if some blendshapes have no name. */
+/** Removes all lists of blendshape names from a primitive. Returns those lists that have a name for each blendshape. */
 function takeNames({ targets, extras }: Record<string, unknown>): string[][] {
   const all = listOf(targets).filter(isObject)
   const own = all.map((target) => {
     const name = [target.extra, target.extras].filter(isObject).map(({ targetName }) => targetName)[0]
-    // Everything else in a target is an attribute.
+    // glTF readers would take `extra` for a vertex attribute.
     if (isObject(target.extra)) delete target.extra
     if (isObject(target.extras)) delete target.extras
     return name

@@ -4,7 +4,7 @@ import { MAX_IMAGE_SIDE } from '../../core/limits.ts'
 /**
  * Creates the error for a file that is not an intact image.
  *
- * @param value description of the damage; default: length of the file.
+ * @param value description of the damage. Default: length of the file.
  */
 export function unreadable(bytes: Uint8Array, who: string, value = `${bytes.length} bytes`): FurrowError {
   if (bytes.length === 0) {
@@ -26,7 +26,6 @@ export function unreadable(bytes: Uint8Array, who: string, value = `${bytes.leng
   })
 }
 
-/** Creates the error for an image that cannot be fetched from an address. */
 export function notFetched(address: string, who: string): FurrowError {
   return new FurrowError({
     code: 'unreadable',
@@ -37,7 +36,6 @@ export function notFetched(address: string, who: string): FurrowError {
   })
 }
 
-/** Creates the error for an image larger than `MAX_IMAGE_SIDE`. */
 export function tooLarge({ width, height }: { width: number; height: number }, who: string): FurrowError {
   return new FurrowError({
     code: 'out-of-range',
@@ -49,7 +47,6 @@ export function tooLarge({ width, height }: { width: number; height: number }, w
   })
 }
 
-/** Creates the error for an image with transparent texels. */
 export function transparent(alpha: number, who: string): FurrowError {
   return new FurrowError({
     who,

@@ -1,14 +1,15 @@
 import type { PngChunk, PngHeader } from '../../core/maps/png.ts'
 import type { RgbaImage } from '../../core/types.ts'
 
-/** Number of channels by PNG colour type, without palettes. */
+/** Number of channels of each PNG colour type, without palettes. */
 const CHANNELS: Readonly<Record<number, number>> = { 0: 1, 2: 3, 4: 2, 6: 4 }
 
 /**
- * Reads the stored pixels of a PNG file: 8 or 16 bits per channel, no palette, not interlaced. 16 bits are truncated to the upper 8.
+ * Reads the stored pixels of a PNG file with 8 or 16 bits per channel, without palette or interlacing. 16 bits are truncated to 8.
  *
- * The alpha channel may hold an area, and a 2D canvas loses colours where alpha is small, because it premultiplies. WebGL keeps them, but
- * creating a context blocks the page for tens of milliseconds. Browsers also round 16 bits differently.
+ * A 2D canvas cannot read these pixels exactly. Where alpha is small, it loses colours, because it stores premultiplied values. The colours
+ * matter, because each of the four channels may store a separate gray image. Browsers also differ in how they convert 16 bits to 8. WebGL keeps
+ * colours, but creating a WebGL context blocks the page for tens of milliseconds.
  *
  * @param chunks chunks of a complete file.
  * @throws Error if the data is damaged.
@@ -36,7 +37,7 @@ export async function inflatePng(
   return { width, height, data }
 }
 
-/** Undoes the filter of each row, given by the row's first byte (PNG, section 9). */
+/** Undoes the PNG filter of each row. The first byte of a row is the number of its filter (PNG specification, section 9). */
 function unfilter(filtered: Uint8Array, stride: number, height: number, step: number): Uint8Array {
   if (filtered.length < (stride + 1) * height) throw new Error('too few pixels')
   const rows = new Uint8Array(stride * height)
@@ -61,7 +62,7 @@ function predict(filter: number, left: number, up: number, corner: number): numb
   return filter === 4 ? nearest(left, up, corner) : 0
 }
 
-/** Paeth predictor. */
+/** Computes the Paeth predictor of the PNG specification. */
 function nearest(left: number, up: number, corner: number): number {
   const [a, b, c] = [Math.abs(up - corner), Math.abs(left - corner), Math.abs(left + up - 2 * corner)]
   if (a <= b && a <= c) return left

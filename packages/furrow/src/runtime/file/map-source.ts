@@ -12,19 +12,19 @@ import type { FileArray, FileArrays, GltfSource, MapUse } from './gltf-source.ts
 
 export const UNREADABLE = 'the wrinkles cannot be read'
 
-/** Reads each image of a file once. KTX 2 images and arrays become slices of the engine's textures. */
+/** Reads the wrinkle maps of a glTF file. Each image is decoded once. KTX 2 images are returned as slices of the engine's texture arrays. */
 export class MapSource {
   readonly #file: GltfSource
   readonly #decoded: DecodedBytes
-  /** Decoded images, by texture. */
+  /** Decoded images, by index of the texture. */
   readonly #images = new Map<number, Promise<RgbaImage>>()
-  /** KTX 2 images and arrays, by texture. */
+  /** KTX 2 images and arrays, by index of the texture. */
   readonly #arrays = new Map<number, Promise<FileArray>>()
   #arrayReader: Promise<FileArrays> | undefined
-  /** Images of unknown size are decoded one at a time, to bound their total size. */
+  /** Queue of images that are not PNG. Their size is unknown before decoding. They are decoded in turn, until their total size exceeds the limit. */
   #decoding: Promise<unknown> = Promise.resolve()
 
-  /** @param decoded sums the decoded size of the file's images. */
+  /** @param decoded sums the decoded sizes of the file's images, and limits the sum. */
   constructor(file: GltfSource, decoded: DecodedBytes) {
     this.#file = file
     this.#decoded = decoded
@@ -40,7 +40,7 @@ export class MapSource {
   }
 
   /**
-   * Checks the loaded images against the rules for maps, and joins the arrays of each kind of map.
+   * Checks all loaded images with `mapProblems`, and joins the texture arrays of each kind of map.
    *
    * @throws FurrowError if the maps break a rule.
    */
@@ -54,7 +54,7 @@ export class MapSource {
     return this.#arrayReader ? (await this.#arrayReader).join(set) : set
   }
 
-  /** Whether a texture is read as an array; plain KTX 2 images are arrays of one slice. */
+  /** Whether a texture is read as a texture array. A single KTX 2 image is read as an array of one slice. */
   #isArray({ index, slice }: TextureReference): boolean {
     if (slice !== undefined) return true
     const { source, extensions }: FileTexture = this.#file.json.textures[index]
@@ -94,7 +94,7 @@ export class MapSource {
   }
 }
 
-/** Returns the index of a texture's image, ignoring KTX 2. */
+/** Returns the index of a texture's WebP, AVIF, PNG or JPEG image. Ignores KTX 2 images. */
 function imageOf({ source, extensions }: FileTexture): number | undefined {
   return extensions?.EXT_texture_webp?.source ?? extensions?.EXT_texture_avif?.source ?? source
 }
@@ -104,7 +104,7 @@ interface FileTexture {
   extensions?: Record<string, { source?: number } | undefined>
 }
 
-/** Returns the cached value of a key, or creates and caches it. */
+/** Returns the cached value of a key. If there is none, creates and caches it. */
 export function cached<K, T>(known: Map<K, Promise<T>>, key: K, make: () => Promise<T>): Promise<T> {
   const found = known.get(key) ?? make()
   known.set(key, found)

@@ -4,12 +4,12 @@ import type { RgbaImage } from '../../core/types.ts'
 export type Drawable = ImageBitmap | HTMLImageElement | HTMLCanvasElement | OffscreenCanvas
 
 /**
- * Reads the decoded pixels of an image exactly. Uses WebGL, because the alpha channel may hold an area and a 2D canvas loses colours
- * where alpha is small.
+ * Reads the exact pixels of a decoded image. Uses WebGL, because a 2D canvas loses colours where alpha is small. These colours matter, because
+ * each of the four channels may store a separate gray image.
  */
 export function readImage(image: Drawable): RgbaImage {
   const { width, height } = image
-  // Substitute decoders outside browsers return the pixels.
+  // Outside browsers, a replacement of `createImageBitmap` may return an object with pixels.
   if (hasPixels(image)) return image
   const gl = reader()
   if (!gl) return readWithoutWebGL(image)
@@ -39,19 +39,19 @@ export function readImage(image: Drawable): RgbaImage {
 
 let context: WebGL2RenderingContext | null = null
 
-/** Returns a shared context, because browsers allow only a few per page. WebKitGTK has none in workers. */
+/** Returns a shared WebGL context, because browsers allow only a few per page. Returns null if there is none, as in workers of WebKitGTK. */
 function reader(): WebGL2RenderingContext | null {
   if (!context || context.isContextLost()) context = createCanvas(1, 1).getContext('webgl2')
   return context
 }
 
-/** Prefers canvas elements, which draw in more browsers than `OffscreenCanvas`. */
+/** Creates a canvas element where possible, because more browsers can draw on it than on an `OffscreenCanvas`. */
 function createCanvas(width: number, height: number): HTMLCanvasElement | OffscreenCanvas {
   if (typeof document === 'undefined') return new OffscreenCanvas(width, height)
   return Object.assign(document.createElement('canvas'), { width, height })
 }
 
-/** Reads the pixels of an opaque image through a 2D canvas, which keeps them exactly. */
+/** Reads the exact pixels of an opaque image with a 2D canvas. */
 export function readOpaque(image: Drawable): RgbaImage {
   if (hasPixels(image)) return image
   const { width, height } = image
@@ -62,7 +62,7 @@ export function readOpaque(image: Drawable): RgbaImage {
   return { width, height, data: new Uint8Array(data.buffer) }
 }
 
-/** Reads an opaque image without WebGL; throws if alpha is below 255, because a canvas would lose colours. */
+/** Reads an image with a 2D canvas. Throws if alpha is below 255 in any texel, because the canvas may have changed its colour. */
 function readWithoutWebGL(image: Drawable): RgbaImage {
   const pixels = readOpaque(image)
   for (let i = 3; i < pixels.data.length; i += 4) if (pixels.data[i] !== 255) throw noWebGL()
@@ -74,12 +74,12 @@ function noWebGL(): FurrowError {
     code: 'unsupported',
     who: 'readImage',
     problem: 'reading an image with alpha needs a WebGL 2 context',
-    limit: 'a browser with WebGL 2, including workers',
+    limit: 'a browser with WebGL 2, also in workers',
     remedy: 'close other pages that use WebGL, update the browser, or save the image without alpha',
   })
 }
 
-/** Whether an image holds its RGBA pixels. */
+/** Whether an object is an image with RGBA pixels. */
 export function hasPixels(image: object): image is RgbaImage {
   const { data, width, height } = image as Partial<RgbaImage>
   return data instanceof Uint8Array && data.length === width! * height! * 4

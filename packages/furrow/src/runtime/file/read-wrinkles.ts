@@ -6,26 +6,28 @@ import type { WrinkleMapsLayer } from '../../core/maps/wrinkle-maps.ts'
 import type { Area, ArraySlice, GrayImage, Layer, WrinkleSet } from '../../core/types.ts'
 import { parseWrinkleMaps, type WrinkleMaps } from '../../drivers/parse.ts'
 import type { WrinkleDriver } from '../../drivers/registry.ts'
-import { MAP_KINDS, type ValueKind } from '../layer-maps.ts'
+import { MAP_KINDS, type ValueKind } from '../maps/layer-maps.ts'
 import { fileError } from './file-error.ts'
 import type { GltfSource } from './gltf-source.ts'
 import { cached, MapSource, UNREADABLE } from './map-source.ts'
 
-/** Wrinkles of a material in a file. */
+/** Wrinkles of one material in a glTF file. */
 export interface FileWrinkles {
-  /** Shared by all faces with the material. */
+  /** Layers and areas. All faces with the material share this object. */
   set: WrinkleSet<ArraySlice>
-  /** For `addDrivers`. */
+  /** Drivers to pass to `addDrivers`. */
   drivers: WrinkleDriver[]
 }
 
-/** Called once per material with the errors of malformed drivers, which are skipped. Without it, the first error is thrown. */
+/** Is called once per material with the errors of malformed drivers. These drivers are skipped. */
 export type OnDriverErrors = (errors: readonly FurrowError[]) => void
 
 /**
- * Creates a reader that caches the wrinkles of each material. Layers with heights get `readHeight`, see `RaisedLayer`.
+ * Creates a function that reads the wrinkles of a material and caches them. Layers with a height map get a method `readHeight`; see
+ * `RaisedLayer`.
  *
- * @returns a function of the material index; throws FurrowError if the extension is malformed or an image cannot be read.
+ * @param onDriverErrors receives the errors of malformed drivers. Without it, the first error is thrown.
+ * @returns a function of the material's index. It throws a FurrowError if the extension is malformed or an image cannot be read.
  */
 export function wrinkleReader(
   file: GltfSource,
@@ -50,14 +52,14 @@ export function wrinkleReader(
   return (material) => cached(known, material, () => read(material))
 }
 
-/** Returns the extension's unchecked JSON in a material; undefined if there is none. */
+/** Returns the unchecked JSON of the wrinkle extension in a material, or undefined if there is none. */
 export function extensionOf(material: number, { json }: Pick<GltfSource, 'json'>): unknown {
   return json.materials[material].extensions?.[WRINKLE_MAPS]
 }
 
 async function readSet(maps: WrinkleMaps, createSource: () => MapSource): Promise<WrinkleSet<ArraySlice>> {
   const source = createSource()
-  // In parallel: browsers decode images on several threads.
+  // Maps are read in parallel, because browsers decode images on several threads.
   const [layers, areas] = await Promise.all([
     Promise.all(maps.layers.map((layer) => readLayer(layer, source))),
     Promise.all(
@@ -76,17 +78,17 @@ async function readSet(maps: WrinkleMaps, createSource: () => MapSource): Promis
   for (const [i, { heightTexture }] of maps.layers.entries()) {
     if (!heightTexture) continue
     let height: Promise<GrayImage | ArraySlice> | undefined
-    // A separate source, so that other decoded images do not stay in memory until heights are read. Heights use the format of areas,
-    // because steps are more visible in a surface than in colours.
+    // Heights are read later, from another source, so that `source` and its decoded images can be freed now. Heights use the GPU format of
+    // areas, which is more precise than the format of other maps. Rounding steps are more visible in a surface than in colours.
     const readHeight = () => (height ??= createSource().gray(heightTexture, CHANNEL.height, 'areas'))
     Object.assign(set.layers[i], { heightAmplitude: heightTexture.amplitude, readHeight })
   }
   return set
 }
 
-/** Reads all maps except heights, which only relief needs. */
+/** Reads all maps of a layer except the height map, which only relief needs. */
 async function readLayer(maps: WrinkleMapsLayer, source: MapSource): Promise<Layer<ArraySlice>> {
-  const { name, kind, normalTexture, occlusionTexture, bloodTexture } = maps
+  const { name, kind, normalTexture, occlusionTexture, bloodTexture, onsetTexture } = maps
   const layer = { name, kind, normalScale: normalTexture.scale } as Layer<ArraySlice>
   const readMap = async (map: 'normal' | ValueKind) => {
     const texture = maps[`${map}Texture`]
@@ -98,5 +100,6 @@ async function readLayer(maps: WrinkleMapsLayer, source: MapSource): Promise<Lay
   await Promise.all(MAP_KINDS.map(readMap))
   if (occlusionTexture) layer.occlusionStrength = occlusionTexture.strength
   if (bloodTexture) layer.bloodAmplitude = bloodTexture.amplitude
+  if (onsetTexture) layer.onsetStrength = onsetTexture.strength
   return layer
 }

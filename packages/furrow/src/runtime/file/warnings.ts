@@ -1,20 +1,17 @@
 import type { FurrowError } from '../../core/error.ts'
 import { fileError } from './file-error.ts'
 
-/** Logs each warning of a file once. */
+/** Logs warnings about a file. Equal warnings are logged once. */
 export class Warnings {
   readonly #texts = new Set<string>()
   readonly #who: string
 
-  /** @param who name of the loader, for errors without a name. */
+  /** @param who name of the loader, for errors that are not a FurrowError. */
   constructor(who: string) {
     this.#who = who
   }
 
-  /**
-   * @param thrown thrown value.
-   * @param consequence result on the page, such as a face without wrinkles.
-   */
+  /** @param consequence result that the user sees, such as "the face has no wrinkles". */
   add(thrown: unknown, consequence: string): void {
     const { message } = fileError(thrown, this.#who, 'the wrinkles cannot be added')
     this.#warn(`${message} (${consequence})`)

@@ -7,22 +7,25 @@ import type { AreaSlot, AreaSlots } from '../../runtime/area-slots.ts'
 import { type ArrayTexture, arrayOf, type Upload } from '../material/array-texture.ts'
 import { areaTexture } from '../material/textures.ts'
 
-/** Areas of a set, as one texture array. */
+/**
+ * The areas of a wrinkle set in one texture array, and their locations in the array. An area is a group of wrinkles; its image has a weight for
+ * each texel in UV space.
+ */
 export interface AreaArray extends AreaSlots {
   readonly texture: ArrayTexture
-  /** Channels per slice of the texture array. Each channel may hold an area. */
+  /** Number of channels per slice of the texture array. Each channel may hold one area. */
   readonly channels: 1 | 4
-  /** Uploads changed weights; set by `updateArea`. */
+  /** Uploads changed weights to the GPU; set by `updateArea`. */
   upload?: Upload
 }
 
 /**
- * Creates the texture array of a set's areas. Images are resampled to a square grid, one per slice. Areas in a texture array are used as
- * they are.
+ * Creates the texture array of a wrinkle set's areas. Resamples images to squares of one size, one image per slice. If the areas are already
+ * in a texture array, uses that array unchanged.
  *
  * @param areas checked areas.
- * @param size side of the grid, texels.
- * @param who names the caller in errors.
+ * @param size edge length of the squares, texels.
+ * @param who name of the caller, for errors.
  * @throws FurrowError if the areas are in several texture arrays.
  */
 export function createAreaArray(
@@ -36,14 +39,13 @@ export function createAreaArray(
     ? sliced(weights, who)
     : packed(weights as GrayImage[], size)
   const slots = areas.map((area, i) => {
-    // Written without spread syntax: V8 reads objects created by spread at half the speed, and every frame reads these.
+    // No spread syntax: every frame reads these objects, and V8 reads objects created by spread at half the speed.
     const { slice, channel, bounds } = locations[i]
     return { layer: layerIndex(area, layers), combine: area.combine ?? 'sum', slice, channel, bounds }
   })
   return { ...array, slots, version: 0 }
 }
 
-/** Area array with the location of each area. */
 type LocatedAreas = Omit<AreaArray, 'slots' | 'version'> & {
   locations: Pick<AreaSlot, 'slice' | 'channel' | 'bounds'>[]
 }
@@ -60,7 +62,7 @@ function packed(weights: readonly GrayImage[], size: number): LocatedAreas {
 function sliced(weights: readonly (GrayImage | ArraySlice)[], who: string): LocatedAreas {
   const texture = arrayOf(weights, who, 'areas')
   const { width, height } = texture.image
-  // Compressed blocks are not decoded, so the bounds are unknown.
+  // The compressed texels are not decoded, so the texels that an area covers are unknown.
   const bounds = { x0: 0, y0: 0, x1: width, y1: height }
   const locations = weights.filter(isSlice).map(({ slice, channel }) => ({ slice, channel, bounds }))
   return { texture, width, height, channels: 4, locations }

@@ -21,10 +21,10 @@ import { renderPreservingState } from './render-preserving-state.ts'
 
 const FORMATS = [RedFormat, RGFormat, RGBAFormat, RGBAFormat] as const
 
-/** Maximum number of channels for which 32-bit floats are used: GPUs filter float textures with more channels at a reduced rate. */
+/** Maximum number of channels of a 32-bit float texture. GPUs filter float textures with more channels at a reduced rate. */
 const MAX_FLOAT_CHANNELS = 2
 
-/** Quads that are drawn together: they clear cells, or draw areas of one texture array that combine in the same way. */
+/** Rectangles of one draw call. They either clear cells, or draw areas of one texture array with one blend equation. */
 interface Batch {
   rule: QuadRule
   areas: AreaArray | null
@@ -32,14 +32,17 @@ interface Batch {
 }
 
 /**
- * Influence maps of all faces with one area size and layer count, one cell per face. A map holds, per layer, the sum of the face's areas
- * times their activations, in UV space. A cell is redrawn only when an activation of its face changes, over the rectangles of active
- * areas. One pass draws all changed cells of a frame. Face shaders take one sample, for any number of areas.
+ * Texture with the influence maps of several faces. An area is a group of wrinkles with weights in UV space and an activation, 0..1. An influence
+ * map holds, per layer of wrinkles, the sum of the weights of all areas times their activations. All faces in an atlas have the same number of
+ * layers, and the weights of their areas have the same size in texels. Each face has one rectangle of the texture, its cell. A cell is redrawn
+ * when an activation of its face changes, and one render pass redraws all changed cells of a frame. The shader of a face takes one sample of
+ * its cell, regardless of the number of areas.
  *
- * A texel holds the larger of two values, unclamped: the sum over areas that combine by `sum`, and the maximum over areas that combine by
- * `max`. Shaders clamp the value to 1 after interpolation, like the reference implementation.
- * The type is 32-bit float if the GPU can filter and blend it, because software rasterisers convert each half float. Otherwise it is half
- * float: bytes cannot hold values above 1.
+ * A texel holds the sum over the areas that combine by `sum`, or the maximum over the areas that combine by `max`, whichever is larger. The value
+ * may exceed 1. Shaders clamp it to 1 after interpolation, like the reference implementation.
+ *
+ * Texels are 32-bit floats if the GPU can filter and blend them, because software rasterisers are slower with half floats. Otherwise texels
+ * are half floats. 8-bit texels cannot hold values above 1.
  */
 export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
   readonly layers: number
@@ -48,14 +51,17 @@ export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
   readonly #materials: QuadMaterials
   readonly #scene = new Scene()
   readonly #camera = new OrthographicCamera()
-  /** Rectangle that covers a complete cell. */
+  /** Rectangle that covers a complete cell. `Quads` draws it to clear the cell. */
   readonly #cellSlot: AreaSlot
-  /** Array, because iterating a Map allocates. */
+  /** An array instead of a Map, because iterating a Map allocates. */
   #batches: Batch[] = []
   #renderer: AnyRenderer | null = null
-  /** Renderer that has compiled the area programs. */
+  /** Renderer that has compiled the shaders that draw areas. */
   #compiled: AnyRenderer | null = null
-  /** Renderer that last drew each group of cells. Each renderer has its own GPU texture, which holds only the cells that it drew. */
+  /**
+   * Renderer that last drew the cells of each mesh. Each renderer has its own GPU texture, and that texture holds only the cells that the
+   * renderer drew.
+   */
   readonly #drawnBy = new WeakMap<readonly Cell[], AnyRenderer>()
 
   /**
@@ -71,7 +77,8 @@ export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
       type: HalfFloatType,
       depthBuffer: false,
     })
-    // `WebGPURenderer` sets `needsUpdate` when it creates its texture of a target; other renderers would then recreate theirs while drawing.
+    // `WebGPURenderer` sets `needsUpdate` when it creates a GPU texture. The override ignores this, because any other renderer that draws the
+    // target would recreate its GPU texture while drawing.
     Object.defineProperty(this.target.texture, 'needsUpdate', { set: () => {} })
     this.#materials = materials
     this.#scene.matrixWorldAutoUpdate = false
@@ -80,7 +87,7 @@ export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
   }
 
   /**
-   * Allocates consecutive cells for faces.
+   * Allocates consecutive cells for faces, and enlarges the texture if needed.
    *
    * @throws FurrowError if the cells do not fit into the largest texture.
    */
@@ -99,7 +106,6 @@ export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
     this.#prune()
   }
 
-  /** Switches the faces of cells to another area array. */
   rebind(cells: readonly Cell[], array: AreaArray, areas: readonly { name: string }[]): void {
     for (const cell of cells) {
       cell.face.rebind(array, areas)
@@ -121,7 +127,7 @@ export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
     })
   }
 
-  /** Collects the changed cells among `cells`, for `draw`. */
+  /** Adds the changed cells among `cells` to the cells that `draw` will redraw. */
   collect(cells: readonly Cell[], renderer: AnyRenderer): void {
     this.#checkContents(renderer)
     if (this.#drawnBy.get(cells) !== renderer) {
@@ -131,7 +137,6 @@ export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
     this.cells.collect(cells)
   }
 
-  /** Draws the collected cells with their faces' activations. */
   draw(renderer: AnyRenderer): void {
     const { changed, changes, allChanged } = this.cells
     if (changes === 0) return
@@ -141,12 +146,12 @@ export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
       quads.end()
       if (areas && quads.mesh.visible) this.#compiled = renderer
     }
-    // Clears the complete target at once if possible: pages with one face then never compile the clear program.
+    // If all cells change, the complete target is cleared at once. Pages with one face then never compile the shader that clears cells.
     renderPreservingState(renderer, this.target, this.#scene, this.#camera, 0, allChanged)
     this.cells.changes = 0
   }
 
-  /** Compiles the area programs, unless areas were already drawn. Call between frames only. */
+  /** Compiles the shaders that draw areas, unless areas were already drawn. Call between frames only. */
   compile(renderer: WebGLRenderer): void {
     if (renderer === this.#compiled) return
     this.#compiled = renderer
@@ -155,7 +160,7 @@ export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
       for (const { combine } of areas.slots) this.#quadsOf(combine, areas)
     const before = renderer.getRenderTarget()
     renderer.setRenderTarget(this.target as never)
-    // Not `compileAsync`: nothing awaits the result, and it warns if the driver has no parallel compilation.
+    // Not `compileAsync`, because it logs a warning if the GPU driver cannot compile in parallel.
     renderer.compile(this.#scene, this.#camera)
     renderer.setRenderTarget(before)
   }
@@ -165,7 +170,7 @@ export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
     for (const { quads } of this.#batches) quads.dispose()
   }
 
-  /** Invalidates cells whose contents were lost with the context. */
+  /** Marks all cells as changed if the target lost its contents, e.g. with the WebGL context. */
   #checkContents(renderer: AnyRenderer): void {
     if (renderer !== this.#renderer) this.#checkType(renderer)
     this.#renderer = renderer

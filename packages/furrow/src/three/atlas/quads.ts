@@ -8,10 +8,10 @@ import {
 } from 'three'
 import type { AreaSlot } from '../../runtime/area-slots.ts'
 
-/** Floats per vertex: a vec4 and a vec2. */
+/** Floats per vertex: a vec4 (`furrowPoint`) and a vec2 (`furrowSource`). */
 const STRIDE = 6
 const CORNERS = 4
-/** Maximum number of channels per slice, and of layers. */
+/** Maximum number of channels per slice, and maximum number of layers. */
 const CHANNELS = 4
 const LAYERS = 4
 
@@ -23,11 +23,14 @@ interface CellGrid {
 }
 
 /**
- * Rectangles to draw into the atlas. They have two vertex attributes. `furrowPoint` is the position in the atlas (xy, 0..1) and in the area
- * (zw, texels). `furrowSource` is the activation (x) and `(slice * 4 + channel) * 4 + layer` (y).
+ * Mesh of rectangles that draw areas into the cells of the influence atlas. An area is a group of wrinkles, with an image of weights in UV
+ * space and an activation, 0..1. The atlas is a texture with one cell per face, see `InfluenceAtlas`.
  *
- * The rectangles are not instanced: GPUs shade dozens of vertices at once, so instances of four vertices leave most of them idle. Software
- * rasterisers treat each instance as a draw call.
+ * The vertex attribute `furrowPoint` holds the position in the atlas (xy, 0..1) and the position in the area's image (zw, texels).
+ * `furrowSource` holds the activation (x), and the location of the area and its layer as `(slice * 4 + channel) * 4 + layer` (y).
+ *
+ * The rectangles are not instanced. GPUs shade dozens of vertices of one instance in parallel, so instances of four vertices would leave most
+ * of the GPU idle. Software rasterisers treat each instance as a draw call.
  */
 export class Quads {
   readonly mesh: Mesh<BufferGeometry, Material>
@@ -48,14 +51,14 @@ export class Quads {
     this.#used.count = 0
   }
 
-  /** Adds the rectangle of one area in the cell at `column` and `row`. */
+  /** Adds the rectangle of one area to the cell at `column` and `row`. */
   put(column: number, row: number, { bounds, slice, channel, layer }: AreaSlot, activation: number): void {
     if (this.#used.count === this.#data.length) this.#grow()
     const { width, height, grid } = this.#cells
     const data = this.#data
     let at = this.#used.count
     const source = (slice * CHANNELS + channel) * LAYERS + layer
-    // Texel size in the atlas, 0..1.
+    // Size of a texel relative to the atlas.
     const texelWidth = 1 / (width * grid.columns)
     const texelHeight = 1 / (height * grid.rows)
     for (let corner = 0; corner < CORNERS; corner++) {
@@ -76,7 +79,7 @@ export class Quads {
     const { count } = this.#used
     this.mesh.visible = count > 0
     this.mesh.geometry.drawRange.count = (count / (CORNERS * STRIDE)) * 6
-    // Reuses one range object, to avoid an allocation. The upload empties the list.
+    // three.js empties `updateRanges` after the upload. One range object is reused, to avoid an allocation.
     if (this.#buffer.updateRanges.length === 0) this.#buffer.updateRanges.push(this.#used)
     this.#buffer.needsUpdate = true
   }
@@ -93,7 +96,7 @@ export class Quads {
     this.#bind()
   }
 
-  /** Creates a new geometry for the buffer, because GPU buffers cannot grow. */
+  /** Creates a new geometry for the current buffer, because GPU buffers cannot grow. */
   #bind(): void {
     this.mesh.geometry.dispose()
     const geometry = new BufferGeometry()

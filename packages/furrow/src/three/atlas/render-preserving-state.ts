@@ -5,9 +5,9 @@ import type { AnyRenderer } from '../renderer.ts'
 const colour = new Color()
 
 /**
- * Renders into a mip level of a target during another render call, and restores the renderer's state.
+ * Renders a scene into a mip level of a render target, and restores the renderer's state. May be called during another `render` call.
  *
- * @param isCleared whether all texels are set to 0 first.
+ * @param isCleared whether to set all texels to 0 first.
  */
 export function renderPreservingState(
   renderer: AnyRenderer,
@@ -41,8 +41,8 @@ export function renderPreservingState(
 }
 
 /**
- * Draws a complete scene during another pass of `WebGPURenderer`: resets the object filter of shadow passes, multiple outputs, and the
- * opaque and transparent switches.
+ * Draws all objects of a scene during another render pass of `WebGPURenderer`. That pass may have replaced the function that draws objects
+ * (shadow passes do), enabled multiple outputs, or excluded opaque or transparent objects. Resets these settings while drawing.
  */
 function renderAll(renderer: WebGPURenderer, scene: Scene, camera: Camera): void {
   const { opaque, transparent } = renderer

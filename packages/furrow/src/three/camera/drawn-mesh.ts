@@ -1,17 +1,17 @@
 import { type Mesh, type Object3D, type SkinnedMesh, Vector3 } from 'three'
 import { trianglesOf } from '../sources/geometry-arrays.ts'
 
-/** A mesh in its drawn pose, with blendshapes at 0. */
+/** A mesh and its vertices in the current pose of its skeleton, with blendshape weights of 0. */
 export interface DrawnMesh {
   mesh: Mesh
   /** Packed xyz positions, world space. */
   positions: Float64Array
   triangles: ArrayLike<number>
-  /** Vertices used by the triangles: primitives often reference one vertex buffer for the complete file. */
+  /** Indices of the vertices that triangles use. A glTF primitive may use a small part of a vertex buffer that the whole file shares. */
   used: readonly number[]
 }
 
-/** Returns the meshes of an object in the current pose of their skeletons. World matrices must be up to date. */
+/** Returns the meshes under an object in the current pose of their skeletons. World matrices must be up to date. */
 export function drawnMeshes(object: Object3D): DrawnMesh[] {
   const meshes: DrawnMesh[] = []
   object.traverse((child) => {

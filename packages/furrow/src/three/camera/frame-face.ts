@@ -14,37 +14,37 @@ import { type DrawnMesh, drawnMeshes } from './drawn-mesh.ts'
 import { type HeadRegion, headOfBlendshapes, headOfJoints } from './head-region.ts'
 import { frontOfSides } from './sides.ts'
 
-/** Direction and distance of a camera from a face. */
+/** Direction and distance from which a camera looks at a face. */
 export interface FaceView {
-  /** Degrees from the front towards the person's left, default 0. */
+  /** Angle of the camera from the front of the face towards the person's left side, degrees, default 0. */
   yaw?: number
-  /** Degrees above the face, default 0. */
+  /** Angle of the camera above the horizon, degrees, default 0. */
   pitch?: number
-  /** Default 1: the head fills the picture. Above 1, the camera moves closer to eyes and forehead. */
+  /** At 1 (default), the head fills the picture. At values above 1, the camera moves closer to eyes and forehead. */
   zoom?: number
 }
 
 /** Fraction of the picture's height that the head fills at zoom 1. */
 const FILL = 0.9
 
-/** Angle within which a facing direction snaps to an axis, radians: scans are not perfectly symmetric. */
+/** A facing direction within this angle of an axis, in radians, snaps to the axis. Scanned heads are not perfectly symmetric. */
 const AXIS_TOLERANCE = Math.PI / 18
 
-/** Minimum horizontal length of a mean normal that defines the facing direction. */
+/** A mean normal defines the facing direction only if its horizontal length is at least this value. */
 const MIN_FRONT = 0.2
 
 const UP = new Vector3(0, 1, 0)
 
 /**
- * Points a camera at a face in its current skeletal pose, at any scale and orientation; +Y is up. For an avatar with a body, frames the
- * head. Blendshapes count as 0, so every expression is framed alike.
+ * Points a camera at a face in its current skeletal pose. The face may have any scale and orientation; +Y is up. For an avatar with a body,
+ * frames the head. Ignores blendshapes, so the camera does not depend on the expression.
  *
- * The face is the geometry that blendshapes move, on wrinkled meshes if there are any. Without blendshapes it is the geometry that a
- * joint named `head` moves, otherwise the complete object. The facing direction is the mean normal of that geometry. Fallbacks are the
- * left and right joints (VRM 0 and VRM 1.0), then the +Z axis of `face`, as in glTF.
+ * Finds the face as the geometry that blendshapes move. If some meshes have wrinkles, searches only these meshes. Without blendshapes, uses
+ * the geometry that a joint named `head` moves, or else the complete object. The facing direction is the mean normal of the geometry that
+ * blendshapes move. Fallbacks are the positions of left and right joints, then the +Z axis of `face`, the front in glTF.
  *
- * @param camera camera without a parent. Its `near` and `far` are extended if needed. A perspective camera's `fov` and `aspect` are
- *   respected; an orthographic camera's `zoom` is set from its frustum.
+ * @param camera camera without a parent. Its `near` and `far` are extended if needed. `fov` and `aspect` of a perspective camera stay
+ *   unchanged. The `zoom` of an orthographic camera is set so that the head fits into its frustum.
  * @param face loaded scene, or a mesh.
  * @returns the point that the camera looks at, world space; use it as the target of `OrbitControls`.
  * @throws FurrowError if there are no triangles.
@@ -67,7 +67,7 @@ export function frameFace(
 
   const size = box.getSize(new Vector3())
   const target = box.getCenter(new Vector3())
-  // Eyes and forehead are above the middle of head and neck.
+  // Eyes and forehead are above the centre of the box, which contains head and neck.
   if (zoom > 1) target.y += size.y * 0.12
   const distance = fit(camera, size, zoom)
   const [theta, phi] = [(yaw * Math.PI) / 180, (pitch * Math.PI) / 180]
@@ -82,9 +82,9 @@ export function frameFace(
 }
 
 /**
- * Returns the distance from the centre of the head at which it fills the picture. Sets the zoom of an orthographic camera.
+ * Returns the distance between camera and head centre at which the head fills the picture. Sets the zoom of an orthographic camera.
  *
- * @param size size of the head; z points to the camera.
+ * @param size size of the head's bounding box, whose z axis is the facing direction.
  */
 function fit(camera: PerspectiveCamera | OrthographicCamera, size: Vector3, zoom: number): number {
   const width = Math.max(size.x, size.z)
@@ -99,7 +99,7 @@ function fit(camera: PerspectiveCamera | OrthographicCamera, size: Vector3, zoom
   return distance / FILL / zoom + (zoom > 1 ? size.z / 2 : size.z / 4) || 1
 }
 
-/** Updates from the root, because joints may be outside of the object. */
+/** Updates all world matrices of the scene, because the joints of a mesh may not be descendants of the object. */
 function updateWorldMatrices(object: Object3D): void {
   rootOf(object).updateMatrixWorld()
 }
@@ -114,14 +114,14 @@ function turnOf(front: Vector3, face: Object3D, meshes: readonly DrawnMesh[]): Q
   return new Quaternion().setFromAxisAngle(UP, Math.abs(angle - axis) < AXIS_TOLERANCE ? axis : angle)
 }
 
-/** Bounds of head and neck. Excludes shoulders, which the picture may crop. */
+/** Returns the bounds of head and neck. Shoulders, which the picture may crop, do not widen the box. */
 function headBounds({ meshes, sphere, chin }: HeadRegion, turn: Quaternion): Box3 {
   const all = boundsOf(meshes, turn, (point) => sphere.containsPoint(point))
   const box = boundsOf(meshes, turn, (point) => sphere.containsPoint(point) && point.y >= chin)
   return box.set(box.min.setY(all.min.y), box.max.setY(all.max.y))
 }
 
-/** Bounds of the vertices that pass a test, rotated so that the face looks along +Z. */
+/** Returns the bounds of the vertices that pass a test, after a rotation that makes the face look along +Z. */
 function boundsOf(
   meshes: readonly DrawnMesh[],
   turn: Quaternion,

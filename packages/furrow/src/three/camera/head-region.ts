@@ -7,24 +7,24 @@ import type { DrawnMesh } from './drawn-mesh.ts'
 /** Fraction of a blendshape's largest displacement above which a vertex counts as moved. */
 const MOVED = 0.2
 
-/** Fraction of the blendshapes ignored as outliers on each side of the bounding box, because a few may move the body. */
+/** Fraction of the blendshapes that may reach beyond a side of the head's bounding box, because a few blendshapes move the body. */
 const OUTLIERS = 0.1
 
-/** Ratio of the head's radius to the radius of the geometry that blendshapes, or a head joint, move. */
+/** Radius of the head's sphere, relative to the bounding sphere of the vertices that blendshapes move, or that the head joint moves. */
 const HEAD_RADII = { blendshapes: 3, joint: 1.5 }
 
-/** A head in world space. */
+/** The region of a character's head, in world space. */
 export interface HeadRegion {
-  /** Meshes with vertices in the region. */
+  /** Meshes that the blendshapes or the head joint move. */
   meshes: DrawnMesh[]
   sphere: Sphere
   /** Height of the chin; -Infinity if unknown. Shoulders below the chin may be wider than the head. */
   chin: number
-  /** Facing direction: mean normal of the surface, length 0 (unknown) to 1 (flat surface). */
+  /** Mean normal of the surface that blendshapes move: points forwards, length 0 (unknown) to 1 (flat surface). */
   front: Vector3
 }
 
-/** Finds the head around the geometry that blendshapes move; undefined if they move nothing. */
+/** Finds the head as the region around the vertices that blendshapes move; undefined if they move no vertex. */
 export function headOfBlendshapes(meshes: readonly DrawnMesh[]): HeadRegion | undefined {
   const all = [...new Set(meshes.flatMap(({ mesh }) => Object.keys(mesh.morphTargetDictionary ?? {})))]
   const known = all.filter(isKnown)
@@ -37,7 +37,7 @@ export function headOfBlendshapes(meshes: readonly DrawnMesh[]): HeadRegion | un
       if (!names.has(name)) continue
       const vertices = movedVertices(drawn, index)
       for (const vertex of vertices) isMoved[vertex] = 1
-      // One blendshape may move skin, teeth and lashes.
+      // A blendshape may move several meshes, e.g. skin, teeth and lashes.
       if (vertices.length > 0) boxes.set(name, boundsOf(drawn, vertices, boxes.get(name)))
     }
     addNormals(drawn, isMoved, total)
@@ -49,7 +49,10 @@ export function headOfBlendshapes(meshes: readonly DrawnMesh[]): HeadRegion | un
   return { meshes: moved, sphere: sphereOf(box, HEAD_RADII.blendshapes), chin: box.min.y, front }
 }
 
-/** Finds the head moved by a joint named like `Head` or `mixamorigHead` and its descendants; undefined if there is no head joint. */
+/**
+ * Finds the head as the vertices that a head joint or its descendants move. The name of a head joint contains `head`, in upper or
+ * lower case, e.g. `mixamorigHead`. Returns undefined if there is no such vertex.
+ */
 export function headOfJoints(meshes: readonly DrawnMesh[]): HeadRegion | undefined {
   const box = new Box3()
   const moved = meshes.filter((drawn) => {
@@ -61,14 +64,13 @@ export function headOfJoints(meshes: readonly DrawnMesh[]): HeadRegion | undefin
   return { meshes: moved, sphere: sphereOf(box, HEAD_RADII.joint), chin: -Infinity, front: new Vector3() }
 }
 
-/** Bounding sphere of a box, scaled. Infinite for a box of zero size, e.g. if blendshapes move a single vertex. */
+/** Returns the bounding sphere of a box, with its radius scaled. A box of zero size, e.g. around a single vertex, gives an infinite sphere. */
 function sphereOf(box: Box3, radii: number): Sphere {
   const sphere = box.getBoundingSphere(new Sphere())
   sphere.radius = radii * sphere.radius || Infinity
   return sphere
 }
 
-/** Expands a box by some vertices. */
 function boundsOf({ positions }: DrawnMesh, vertices: readonly number[], box = new Box3()): Box3 {
   const point = new Vector3()
   for (const vertex of vertices) box.expandByPoint(point.fromArray(positions, 3 * vertex))
@@ -86,7 +88,7 @@ function movedVertices({ mesh, used }: DrawnMesh, index: number): number[] {
   if (!target) return []
   const moved = vectorsOf(target, used)
   const rest = morphTargetsRelative ? null : vectorsOf(attributes.position, used)
-  // Plain loops: callbacks take seconds for a million vertices.
+  // The loops have no callbacks, because callbacks would take seconds for a million vertices.
   const squares = new Float64Array(used.length)
   let largest = 0
   for (let k = 0; k < used.length; k++) {
@@ -102,7 +104,7 @@ function movedVertices({ mesh, used }: DrawnMesh, index: number): number[] {
   return found
 }
 
-/** Box that contains the others, without outliers. */
+/** Returns a box that contains most of the boxes, see `OUTLIERS`. */
 function commonBox(boxes: readonly Box3[]): Box3 {
   const common = new Box3()
   const left = Math.floor(OUTLIERS * boxes.length)
@@ -117,8 +119,8 @@ function commonBox(boxes: readonly Box3[]): Box3 {
 }
 
 /**
- * Adds the area-weighted normals of triangles whose vertices all move. By Stokes' theorem the sum depends only on the rim of the surface,
- * not on its folds (lids, nostrils, mouth cavity).
+ * Adds the area-weighted normals of triangles whose vertices all move. By Stokes' theorem, the sum depends only on the boundary of the
+ * surface, so folds of the surface (lids, nostrils, mouth cavity) do not change it.
  */
 function addNormals(
   { mesh, positions, triangles }: DrawnMesh,

@@ -1,7 +1,7 @@
 import { type Object3D, type SkinnedMesh, Vector3 } from 'three'
 import type { DrawnMesh } from './drawn-mesh.ts'
 
-/** Replacements that turn left names into right names: `LeftEye`, `J_Bip_L_Hand`, `L_Hand`, `hand_l`, `eyeL`. */
+/** Replacements that turn the name of a left joint into the name of the right joint. Examples: `LeftEye`, `J_Bip_L_Hand`, `hand_l`, `eyeL`. */
 const MIRRORS: readonly [left: RegExp, right: string][] = [
   [/Left/, 'Right'],
   [/left/, 'right'],
@@ -11,18 +11,19 @@ const MIRRORS: readonly [left: RegExp, right: string][] = [
 ]
 
 /**
- * Finds the facing direction of a character from its left and right joints: left minus right, rotated 90 degrees about +Y.
+ * Finds the facing direction of a character from its left and right joints. Sums the vectors from each right joint to the left joint of the
+ * same pair, and rotates the sum by -90 degrees about +Y.
  *
  * @param root root of the character, with up-to-date world matrices.
  * @param meshes meshes of the character.
- * @returns a horizontal unit vector, or 0 if there are no paired joints or they cancel out.
+ * @returns a horizontal unit vector, or a zero vector if there are no paired joints or the sum is 0.
  */
 export function frontOfSides(root: Object3D, meshes: readonly DrawnMesh[]): Vector3 {
   const places = new Map<string, Vector3>()
   const add = ({ name, matrixWorld }: Object3D) => {
     if (name && !places.has(name)) places.set(name, new Vector3().setFromMatrixPosition(matrixWorld))
   }
-  // Joints may be outside of the root.
+  // Joints of a skeleton may not be descendants of the root.
   for (const { mesh } of meshes) (mesh as Partial<SkinnedMesh>).skeleton?.bones.forEach(add)
   root.traverse(add)
   const across = new Vector3()

@@ -6,7 +6,7 @@ import type { AnyRenderer } from '../renderer.ts'
 import { meshOf, type WrinklesBase } from '../wrinkles-base.ts'
 
 /**
- * Calls a function before each draw of a mesh with a material.
+ * Calls a function before each draw of any mesh that has the given material.
  *
  * @returns a function that stops watching.
  */
@@ -15,36 +15,35 @@ export type WatchDraws = (
   onDraw: (mesh: Mesh, renderer: AnyRenderer, camera: Camera, scene: Scene) => void,
 ) => () => void
 
-/** Functions that `Adoption` needs from the loader. */
 export interface AdoptionParts {
   watch: WatchDraws
-  /** Adds separate wrinkles to a mesh. Warns and returns undefined if that fails. */
+  /** Adds wrinkles with the set and textures of `source` to a mesh. Warns and returns undefined if that fails. */
   add(mesh: Mesh, source: WrinklesBase): WrinklesBase | undefined
 }
 
 const adoptions = new WeakMap<Material, Adoption>()
 
-/** Returns the face of a mesh that the page created with the material of a loaded file. */
+/** Returns the wrinkles that a mesh of the page shares with a loaded face, see `Adoption`; undefined if it shares none. */
 export function adoptedBy(mesh: Mesh): WrinklesBase | undefined {
   return adoptions.get(surfaceOf(mesh))?.faceOf(mesh)
 }
 
 /**
- * Adopts meshes that a page creates with the material of a loaded face, as gltfjsx's JSX and drei's `<Clone>` do. A mesh that shares its
- * blendshape weights and skeleton with a loaded mesh is the same face. Any other mesh becomes a separate face until it is removed from
- * its parent. Costs nothing while only loaded meshes are drawn.
+ * Adds wrinkles to meshes that a page creates with the material of a loaded face, as gltfjsx's JSX and drei's `<Clone>` do. Finds such meshes
+ * when they are first drawn. If a mesh shares its blendshape weights and skeleton with a loaded mesh, both show the same wrinkles. Otherwise
+ * the mesh becomes a separate face, with separate activations and a copy of the material, until it is removed from its parent.
  */
 export class Adoption {
   readonly #material: Material
   readonly #meshes: readonly Mesh[]
   readonly #parts: AdoptionParts
-  /** Material copies of adopted meshes that are separate faces. Kept because React may set the shared material again. */
+  /** The copy of the material for each mesh that is a separate face. If React sets the original material again, the copy is reused. */
   readonly #copies = new WeakMap<Mesh, Material>()
   readonly #unwatch: () => void
   readonly #copyOf: WrinklesBase | undefined
-  /** Adopted meshes that show a clone of the face. */
+  /** Meshes that the page created and that show the wrinkles of this face. Only used if this face is a clone. */
   readonly #guests = new Set<Mesh>()
-  /** Whether one of the face's own meshes was drawn. */
+  /** Whether one of `#meshes` was drawn. */
   #isShown = false
   #face: WrinklesBase | null = null
 
@@ -52,7 +51,7 @@ export class Adoption {
    * Must be created before the material is patched.
    *
    * @param meshes meshes of the face.
-   * @param copyOf face that this face is a clone of.
+   * @param copyOf original face, if this face is a clone.
    */
   constructor(
     material: Material,
@@ -69,7 +68,7 @@ export class Adoption {
     )
   }
 
-  /** Adopts meshes until the face is disposed of. */
+  /** Adds wrinkles to new meshes until the face is disposed of. */
   begin(face: WrinklesBase): void {
     this.#face = face
     adoptions.set(this.#material, this)
@@ -90,7 +89,7 @@ export class Adoption {
     delete (this.#material as Partial<Material>).clone
   }
 
-  /** Returns the face if the mesh is part of it. */
+  /** Returns the loaded face if `mesh` shares the blendshape weights and skeleton of that face, otherwise undefined. */
   faceOf(mesh: Mesh): WrinklesBase | undefined {
     return this.#face && this.#meshes.some((part) => sharesPose(part, mesh)) ? this.#face : undefined
   }
@@ -112,8 +111,9 @@ export class Adoption {
   }
 
   /**
-   * Disposes of a cloned face when the last adopted mesh that shows it is removed. Required for drei's `<Clone>`, which clones faces with a
-   * skeleton, but neither draws the clone nor disposes of it.
+   * Disposes of a cloned face when the page removes the last mesh that shows it. The component `<Clone>` of drei clones a face with a
+   * skeleton, and never disposes of the clone. `<Clone>` does not draw the clone. It draws other meshes that use the clone's blendshape
+   * weights and skeleton.
    */
   #host(mesh: Mesh, face: WrinklesBase, source: WrinklesBase): void {
     this.#guests.add(mesh)
@@ -125,10 +125,9 @@ export class Adoption {
     })
   }
 
-  /** Turns a mesh into a separate face. */
   #separate(mesh: Mesh): void {
     const face = this.#face
-    // Several passes of one frame may have queued the mesh, and the page may have changed the mesh since.
+    // Each render pass of a frame calls this method, so the mesh may already be separate. The page may also have changed the mesh.
     if (!face || surfaceOf(mesh) !== this.#material || this.faceOf(mesh)) return
     const known = this.#copies.get(mesh)
     const copy = known ?? meshOf(face).cloneSurface()
@@ -142,7 +141,7 @@ export class Adoption {
   }
 }
 
-/** Adds wrinkles to the first mesh drawn with a copy of a face's material. */
+/** Adds wrinkles to the first mesh that is drawn with a copy of a face's material. */
 function adoptCopy(copy: Material, source: WrinklesBase, parts: AdoptionParts): void {
   const unwatch = parts.watch(copy, (mesh) => {
     if (isReliefMesh(mesh)) return
@@ -151,7 +150,7 @@ function adoptCopy(copy: Material, source: WrinklesBase, parts: AdoptionParts): 
   })
 }
 
-/** Defers a change: a new face may resize the atlas that the current frame reads. */
+/** Calls a function after the current frame, because adding a face may resize textures that the frame reads. */
 function afterFrame(change: () => void): void {
   queueMicrotask(change)
 }
@@ -169,7 +168,7 @@ function addUntilRemoved(
   })
 }
 
-/** Calls a function once when a mesh is removed from its parent, unless its face is disposed of first. */
+/** Calls a function once when a mesh is removed from its parent. Does not call it if the face is disposed of earlier. */
 function whenRemoved(mesh: Mesh, face: WrinklesBase | undefined, run: () => void): void {
   const remove = () => {
     mesh.removeEventListener('removed', remove)
@@ -181,7 +180,6 @@ function whenRemoved(mesh: Mesh, face: WrinklesBase | undefined, run: () => void
 
 type Skinned = Mesh & { skeleton?: object }
 
-/** Whether two meshes share their blendshape weights and skeleton. */
 function sharesPose(a: Skinned, b: Skinned): boolean {
   if (instancesOf(a) || instancesOf(b)) return false
   return a.morphTargetInfluences === b.morphTargetInfluences && a.skeleton === b.skeleton

@@ -16,25 +16,25 @@ import { addFlatNormalMap, readMeshes, supportsAutoWrinkles } from './read-chara
 
 type Meshes = [Mesh, ...Mesh[]]
 
-/** Adds wrinkles to a face of a file. */
 export type AddFace = (meshes: Meshes, made: FileWrinkles) => Promise<WrinklesBase>
 
 /** Duration of the fade-in, milliseconds. */
 const FADE_IN = 300
 
-/** Wrinkles generated for a file. */
 interface GeneratedWrinkles extends FileWrinkles {
-  /** Faces with the skin that the wrinkles belong to. */
+  /** Faces that get the wrinkles. They have the same geometry and material. */
   faces: Meshes[]
 }
 
-/** Files are processed one at a time: each occupies a core and hundreds of megabytes. */
+/** Result of the generation for the previous file. Files are processed one at a time, because each occupies a CPU core and hundreds of megabytes. */
 let previous: Promise<unknown> = Promise.resolve()
 
 /**
- * Starts generating wrinkles from the blendshapes of a file, in its current pose.
+ * Starts generating wrinkles in a worker from the blendshapes of a file. Reads the current pose before it returns.
  *
- * @param file receives the wrinkles in `userData.wrinkles`, and a promise in `userData.wrinklesReady`.
+ * @param file loaded file. The wrinkles are added to `userData.wrinkles`. `userData.wrinklesReady` is set to a promise that resolves
+ *   afterwards.
+ * @param faces meshes of each face.
  */
 export function beginAuto(
   file: GLTF,
@@ -44,7 +44,7 @@ export function beginAuto(
   warnings: Warnings,
 ): void {
   file.userData.wrinklesReady = addAutoWrinkles(file, faces, options, addFace).catch((error) =>
-    warnings.add(error, 'the file stays plain'),
+    warnings.add(error, 'the file is shown without wrinkles'),
   )
 }
 
@@ -64,10 +64,10 @@ async function addAutoWrinkles(
 }
 
 /**
- * Generates wrinkles from the blendshapes of a file, in a worker.
+ * Generates wrinkles in a worker for the most suitable skin of a file. A skin is a geometry and a material, which several faces may use.
  *
  * @param faces meshes of each face.
- * @returns undefined if aborted, or if all skins were disposed of.
+ * @returns undefined if generation was aborted, or if the geometry or material of the skin was disposed of.
  * @throws FurrowError if no mesh has blendshapes and UVs, or the worker fails.
  */
 async function makeAutoWrinkles(
@@ -78,7 +78,7 @@ async function makeAutoWrinkles(
   const skins = groupBySkin(faces.filter((meshes) => meshes.every(supportsAutoWrinkles)))
   if (skins.length === 0) throw missingBlendshapes()
   nameTargets(parser, faces.flat())
-  // Reads the pose before the first await: the page may move the scene and its bones afterwards.
+  // The pose is read before the first `await`, because during an `await` the page may move the scene and its bones.
   for (const [first] of skins) addFlatNormalMap(first!)
   const character = skins.map(([first]) => readMeshes(first!, expressionsOfMesh(parser, first![0])))
   const inUse = new SkinsInUse(skins, options.signal)
@@ -103,18 +103,19 @@ async function makeAutoWrinkles(
   }
 }
 
-/** Wraps the maps, which the worker has packed, in textures. */
+/** Creates textures from the maps that the worker has packed. */
 function setOf(made: CharacterWrinkles): FileWrinkles {
-  const { layers, normals, occlusionAndBlood, bloodAmplitude, heights, areas, drivers } = made
+  const { layers, normals, values, hasOnset, bloodAmplitude, heights, areas, drivers } = made
   const normalArray = mapTexture(normals, 1)
-  const pairArray = mapTexture(occlusionAndBlood, 1)
+  const valueArray = mapTexture(values, 1)
   const set: WrinkleSet<ArraySlice> = {
     layers: layers.map((name, slice) => ({
       name,
       kind: 'detail',
       normal: { array: normalArray, slice, channel: 0 },
-      occlusion: { array: pairArray, slice, channel: 0 },
-      blood: { array: pairArray, slice, channel: 1 },
+      occlusion: { array: valueArray, slice, channel: 0 },
+      blood: { array: valueArray, slice, channel: 1 },
+      ...(hasOnset[slice] && { onset: { array: valueArray, slice, channel: 2 } }),
       bloodAmplitude,
       ...heights[slice],
     })),
@@ -125,7 +126,7 @@ function setOf(made: CharacterWrinkles): FileWrinkles {
 
 const WHO = 'WrinkleLoaderPlugin'
 
-/** Groups faces by geometry and material: several nodes may share a mesh. */
+/** Groups faces with the same geometry and material, because several nodes of a file may use one mesh. */
 function groupBySkin(faces: readonly Meshes[]): Meshes[][] {
   const groups: Meshes[][] = []
   for (const face of faces) {
@@ -138,7 +139,7 @@ function groupBySkin(faces: readonly Meshes[]): Meshes[][] {
   return groups
 }
 
-/** Tracks skins until their geometry or material is disposed of. Aborts its signal when none is left. */
+/** Tracks which skins still have their geometry and material. When all skins are disposed of, `signal` aborts. */
 class SkinsInUse {
   readonly #left: Set<Meshes[]>
   readonly #unused = new AbortController()

@@ -3,8 +3,9 @@ import { WRINKLE_MAPS } from '../../core/maps/declared.ts'
 import { extensionOf } from '../../runtime/file/read-wrinkles.ts'
 
 /**
- * Keeps the extension that each material declares. Other plugins may replace `material.extensions` in `beforeRoot`, as three-vrm's
- * `VRMMaterialsV0CompatPlugin` does for MToon and `VRM/Unlit` of VRM 0. As a plugin, restores the extension for `readWrinkleMaps`.
+ * Plugin of `GLTFLoader` that keeps the extension FURROW_wrinkle_maps in the JSON of materials. Other plugins may replace
+ * `material.extensions` in `beforeRoot`. For example, three-vrm's `VRMMaterialsV0CompatPlugin` replaces the extensions of MToon and
+ * `VRM/Unlit` materials of VRM 0. This plugin restores the extension, so that `readWrinkleMaps` finds it.
  */
 export class DeclaredWrinkles {
   readonly name = WRINKLE_MAPS
@@ -30,7 +31,6 @@ export class DeclaredWrinkles {
     this.restore()
   }
 
-  /** Restores extensions that were removed from materials. */
   restore(): void {
     for (const [material, declared] of this.#byMaterial) {
       if (extensionOf(material, this.#parser) !== undefined) continue
@@ -40,7 +40,7 @@ export class DeclaredWrinkles {
   }
 }
 
-/** Indices of the materials that meshes use. Ignores invalid JSON. */
+/** Returns the indices of the materials that meshes use. Ignores invalid JSON. */
 function materialsOfMeshes({ meshes, materials }: GLTFParser['json']): Set<number> {
   const used: unknown[] = [meshes]
     .flat()

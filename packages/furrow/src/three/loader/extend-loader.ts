@@ -10,10 +10,8 @@ export interface ExtendableLoader {
   register(plugin: (parser: any) => any): unknown
 }
 
-/** `WrinkleLoaderPlugin` for one kind of renderer. */
 type PluginClass = new (parser: GLTFParser, options?: WrinkleLoaderOptions) => WrinkleLoader
 
-/** Plugin and options per extended loader. */
 const extensions = new WeakMap<ExtendableLoader, { Plugin: PluginClass; options: WrinkleLoaderOptions }>()
 
 /** Registers a plugin on a loader, or replaces the options if the loader is already extended. */
@@ -29,7 +27,7 @@ export function extendWith<Loader extends ExtendableLoader>(
   checkLoaderOptions(options, 'extendLoader')
   const isExtended = extensions.has(loader)
   extensions.set(loader, { Plugin, options })
-  // React hooks extend a shared loader repeatedly; registering each time would accumulate plugins.
+  // React hooks call this repeatedly with the same loader, which must get only one plugin.
   if (!isExtended) {
     loader.register((parser: GLTFParser) => {
       const extension = extensions.get(loader)!

@@ -5,7 +5,7 @@ import { hoistTargetNames } from '../../runtime/file/hoist-target-names.ts'
 
 type ParsedFile = Pick<GLTFParser, 'json' | 'associations'>
 
-/** Sets blendshape names that three.js does not read; see `hoistTargetNames`. */
+/** Sets the names of blendshapes if the file stores these names where three.js does not read them; see `hoistTargetNames`. */
 export function nameTargets({ json, associations }: ParsedFile, meshes: readonly Mesh[]): void {
   const named = structuredClone({ meshes: json.meshes })
   hoistTargetNames(named)
@@ -16,7 +16,7 @@ export function nameTargets({ json, associations }: ParsedFile, meshes: readonly
   }
 }
 
-/** Names of VRM expressions that move exactly one blendshape of a mesh, by target index. */
+/** Returns the VRM expressions that move exactly one blendshape of a mesh: the name of the expression, by blendshape index. */
 export function expressionsOfMesh({ json, associations }: ParsedFile, mesh: Mesh): Map<number, string> {
   return soleExpressions(json, associations.get(mesh)?.meshes ?? -1)
 }

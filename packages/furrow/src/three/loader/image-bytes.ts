@@ -3,11 +3,11 @@ import type { GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
 import { notFetched } from '../../runtime/file/image-errors.ts'
 
 /**
- * Reads the bytes of a glTF image, embedded or external.
+ * Reads the bytes of a glTF image, which may be embedded or in a separate file.
  *
  * @param image image index.
- * @param who names the texture in errors.
- * @returns undefined if the image is missing.
+ * @param who name of the texture, for errors.
+ * @returns the bytes, or undefined if there is no image with this index.
  * @throws FurrowError if the image cannot be fetched.
  */
 export async function readImageBytes(

@@ -4,19 +4,19 @@ import { FurrowError } from '../../core/error.ts'
 import { WRINKLE_MAPS } from '../../core/maps/declared.ts'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
 
-/** Kinds of maps that are joined into one array. */
-const GROUPS = [['normal'], ['baseColor'], ['roughness'], ['occlusion', 'blood']] as const
+/** Groups of map kinds. All maps of a group are joined into one texture array. */
+const GROUPS = [['normal'], ['baseColor'], ['roughness'], ['occlusion', 'blood', 'onset']] as const
 
 /**
- * Joins compressed images of one kind of map into one texture array, because shaders read them through one sampler. Copies blocks without
- * decoding. Leaves uncompressed images as they are.
+ * Joins the compressed maps of a wrinkle set into one texture array per group of map kinds, because shaders read each group through one
+ * sampler. Also joins compressed areas. Copies the compressed data without decoding. Uncompressed images stay unchanged.
  *
- * @returns a set in which all slices of one kind are in one array.
+ * @returns a copy of the set, with references to the joined arrays.
  * @throws FurrowError if maps of a kind differ in size, format or mipmaps.
  */
 export function joinArrays({ layers, areas }: WrinkleSet<ArraySlice>): WrinkleSet<ArraySlice> {
   const joined = layers.map((layer) => ({ ...layer }))
-  // Occlusion and roughness may be channels of the same images. Their arrays are then the same.
+  // Caches joined arrays. Occlusion and roughness may be channels of the same images; they then share one joined array.
   const known = new Map<string, Compressed>()
   for (const kinds of GROUPS) {
     const sliced = joined.flatMap((layer) =>
@@ -80,7 +80,7 @@ function concatenate(arrays: readonly Compressed[], label: string): Compressed {
   return Object.assign(array, { minFilter, magFilter, wrapS, wrapT, colorSpace, needsUpdate: true })
 }
 
-/** Size, mipmap count and format (three.js constant), for errors. */
+/** Describes the size, mipmap count and format of an array, for errors. The format is the number of a three.js constant. */
 function layoutOf({ image, mipmaps, format, colorSpace }: Compressed): string {
   const encoding = `${colorSpace || 'linear'} format ${format}`
   return `${image.width} x ${image.height} with ${mipmaps?.length} levels, ${encoding}`

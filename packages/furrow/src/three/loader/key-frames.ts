@@ -9,7 +9,6 @@ import type { WrinklesBase } from '../wrinkles-base.ts'
 
 type Parser = GLTF['parser']
 
-/** A face of a file. */
 export interface LoadedFace {
   /** Material index in the file. */
   material: number
@@ -19,7 +18,7 @@ export interface LoadedFace {
 /** Maximum number of key frames per area. */
 const MAX_KEY_FRAMES = 1_000_000
 
-/** Removes animation channels that target areas but have no valid sampler. `GLTFLoader` would otherwise reject the file. */
+/** Removes animation channels that animate areas of wrinkles, but have no valid sampler. `GLTFLoader` would otherwise reject the file. */
 export function dropInvalidChannels(parser: Parser, warnings: Warnings): void {
   for (const animation of parser.json.animations as Partial<AnimationJson>[]) {
     if (!Array.isArray(animation?.channels)) continue
@@ -31,7 +30,7 @@ export function dropInvalidChannels(parser: Parser, warnings: Warnings): void {
   }
 }
 
-/** Adds tracks for areas animated through KHR_animation_pointer to the clips of a file. Skips invalid tracks with a warning. */
+/** Adds a track to the clips of a file for each area that KHR_animation_pointer animates. Skips invalid tracks with a warning. */
 export async function addActivationTracks(
   gltf: GLTF,
   parser: Parser,
@@ -59,7 +58,7 @@ export async function addActivationTracks(
   }
 }
 
-const REMEDY = 'its other tracks keep playing'
+const REMEDY = 'the other tracks of the animation keep playing'
 
 interface AnimationJson {
   channels: {
@@ -97,7 +96,7 @@ async function readTrack(
   area: string,
 ): Promise<KeyframeTrack> {
   const counts = [input, output].map((index) => parser.json.accessors?.[index]?.count)
-  // Checks the count before decoding, because an accessor without a buffer view can declare any number of elements.
+  // The counts are checked before decoding, because an accessor without a buffer view can declare any number of elements.
   if (counts.some((count) => !(count >= 1 && count <= 3 * MAX_KEY_FRAMES))) {
     throw invalid('accessor counts', counts.join(' and '))
   }
@@ -110,7 +109,7 @@ async function readTrack(
     if (interpolation === 'STEP') track.setInterpolation(InterpolateDiscrete)
     return track
   }
-  // The track stores one value per key frame; the interpolant supplies the tangents.
+  // The track stores one value per key frame. Tangents are in the interpolant, which replaces the interpolant of three.js.
   const track = activationTrack(
     mesh,
     area,
@@ -138,9 +137,9 @@ function numbersOf(accessor: { count: number; getX(i: number): number }): number
   return Array.from({ length: accessor.count }, (_, i) => accessor.getX(i))
 }
 
-/** Cubic spline interpolation of glTF 2.0, appendix C. Each key frame has an in-tangent, a value and an out-tangent. */
+/** Cubic spline interpolation of glTF 2.0, appendix C. The samples of each key frame are an in-tangent, a value and an out-tangent. */
 class CubicSpline extends Interpolant {
-  /** Called for times before the first key frame and after the last. */
+  /** Called by three.js for times before the first key frame and after the last. */
   override copySampleValue_(index: number): TypedArray {
     this.resultBuffer[0] = this.sampleValues[3 * index + 1]
     return this.resultBuffer

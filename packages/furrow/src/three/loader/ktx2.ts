@@ -24,7 +24,7 @@ interface LoaderOptions {
   ktx2Loader?: KTX2Loader | null
 }
 
-/** A KTX2Loader with internals that three.js's types omit; `requireInternal` guards their use. */
+/** A `KTX2Loader` with undocumented internals of three.js. Code checks them with `requireInternal` before use. */
 type Transcoder = KTX2Loader & {
   /** Formats supported by the GPU. */
   workerConfig: NonNullable<KTX2Loader['workerConfig']> | null
@@ -35,21 +35,21 @@ type Transcoder = KTX2Loader & {
   init?(): Promise<unknown>
 }
 
-/** KTX 2 image or array of a file. A plain image becomes an array of one slice. */
+/** Texture array from a KTX 2 file. A KTX 2 file with a single image becomes an array of one slice. */
 interface Ktx2Texture {
   array: ArrayTexture
   header: Ktx2Header
 }
 
-/** Throws if an image must not be decoded. */
+/** Throws an error if an image of this shape must not be decoded. */
 type ShapeCheck = (shape: TextureShape) => void
 
-/** Returns a reader of the KTX 2 images and arrays in a file that `GLTFLoader` loads. */
+/** Returns a reader of the KTX 2 textures in a file that `GLTFLoader` loads. */
 export function arraysOf(parser: GLTFParser): FileArrays {
   return {
     async load(index, use, check) {
       const loaded = await (use === 'areas' ? loadAreaArray : loadMapArray)(parser, index, check)
-      // glTF defines the colour space by a texture's use, not by its file.
+      // In glTF the use of a texture determines its colour space, regardless of the KTX 2 file.
       loaded.array.colorSpace = use === 'colours' ? SRGBColorSpace : NoColorSpace
       return loaded
     },
@@ -58,23 +58,23 @@ export function arraysOf(parser: GLTFParser): FileArrays {
 }
 
 /**
- * Loads areas from a KTX 2 image or array, in the best format that the GPU supports.
+ * Loads the texture array of areas from a KTX 2 file. `KTX2Loader` chooses a compressed format that the GPU supports.
  *
- * @throws FurrowError if the loader has no KTX2Loader, or KHR_texture_basisu does not allow the image.
+ * @throws FurrowError if the loader has no `KTX2Loader`, or the texture is not a valid texture of KHR_texture_basisu.
  */
 async function loadAreaArray(parser: GLTFParser, index: number, check: ShapeCheck): Promise<Ktx2Texture> {
   const file = await readFile(parser, index, check)
   const array = await transcode(file, ktx2LoaderOf(parser))
-  // Areas are smooth, and mipmaps would bleed across UV islands.
+  // No mipmaps: in mipmaps, areas would bleed across the borders of UV islands. Areas are smooth enough without mipmaps.
   array.minFilter = LinearFilter
   return { array, header: file.header }
 }
 
 /**
- * Loads layer maps from a KTX 2 image or array. Uses BC1 instead of BC7 if supported, which halves the memory. Creases stay visible: see
- * "Sizes" in docs/pack.md.
+ * Loads the texture array of layer maps from a KTX 2 file. If the GPU supports the format BC1, uses BC1 instead of BC7 to halve the memory.
+ * For the visible difference see "Sizes" in docs/pack.md.
  *
- * @throws FurrowError as `loadAreaArray`, or if three.js's KTX2Loader lacks a required internal.
+ * @throws FurrowError as `loadAreaArray` does, or if `KTX2Loader` lacks a required internal.
  */
 export async function loadMapArray(
   parser: GLTFParser,
@@ -94,12 +94,12 @@ export async function loadMapArray(
   }
 }
 
-/** Disables all formats except BC1 to BC3. */
+/** Settings of `KTX2Loader` that disable all formats except BC1 to BC3. */
 const BC1_TO_BC3 = { astcSupported: false, bptcSupported: false, etc1Supported: false, etc2Supported: false }
 
 /**
- * Creates a second loader that transcodes to other formats. It shares the transcoder binary: fetching that twice triggers a three.js
- * warning.
+ * Creates a second loader that transcodes to other formats. Both loaders share the transcoder binary, because three.js warns if the binary is
+ * fetched twice.
  */
 async function withFormats(
   loader: Transcoder,
@@ -131,11 +131,10 @@ async function withFormats(
   return other
 }
 
-/** A KTX 2 file with its parsed header. */
 interface Ktx2File {
   bytes: Uint8Array<ArrayBuffer>
   header: Ktx2Header
-  /** Names the texture in errors. */
+  /** Name of the texture, for errors. */
   who: string
 }
 
@@ -171,7 +170,7 @@ async function transcode({ bytes, who }: Ktx2File, loader: KTX2Loader): Promise<
   }
 }
 
-/** Converts to an array: `KTX2Loader` returns an array of one slice as a plain texture. */
+/** Returns a texture array. Converts a 2D texture, which `KTX2Loader` returns if the array has one slice. */
 function asArray(texture: CompressedTexture): CompressedArrayTexture {
   if ('isCompressedArrayTexture' in texture) return texture as CompressedArrayTexture
   const { mipmaps, format, type, minFilter, colorSpace } = texture

@@ -8,8 +8,8 @@ import { parseWrinkleSetDocument } from '../../drivers/parse.ts'
 import { decodeImage, toGray } from '../../runtime/file/decode-image.ts'
 
 /**
- * Loads a wrinkle set, with its drivers, from a `wrinkles.json` and its images. The document must list its layers and areas, because a
- * page cannot list a folder.
+ * Loads a wrinkle set, including drivers, from a `wrinkles.json` and its images. The document must list its layers and areas, because a page
+ * cannot list the files in a folder.
  *
  * @param url address of the document, relative to the page.
  * @throws FurrowError if a file is missing or malformed.
@@ -23,11 +23,11 @@ export async function loadWrinkleSet(url: string): Promise<WrinkleSet> {
 }
 
 /**
- * Decodes the images of a `wrinkles.json`.
+ * Reads and decodes the images of a `wrinkles.json`.
  *
- * @param read reads the file at an address in the document.
- * @param who names the document in errors.
- * @throws FurrowError if an image cannot be decoded, or differs from the others in size.
+ * @param read reads an image by its address in the document.
+ * @param who name of the document, for errors.
+ * @throws FurrowError if an image cannot be decoded, or differs from the other images in size.
  */
 export async function readImages(
   document: SetDocument,
@@ -46,6 +46,8 @@ export async function readImages(
       occlusion,
       blood,
       bloodAmplitude,
+      onset,
+      onsetStrength,
       height,
       heightAmplitude,
     } = layer
@@ -59,6 +61,8 @@ export async function readImages(
       ...(occlusion && { occlusion: channelOf(await image(occlusion), CHANNEL.occlusion) }),
       ...(occlusionStrength !== undefined && { occlusionStrength }),
       ...(blood && { blood: channelOf(await image(blood), CHANNEL.blood), bloodAmplitude }),
+      ...(onset && { onset: channelOf(await image(onset), CHANNEL.onset) }),
+      ...(onsetStrength !== undefined && { onsetStrength }),
       ...(height && { height: channelOf(await image(height), CHANNEL.height), heightAmplitude }),
     }
   })

@@ -19,8 +19,9 @@ export function supportsAutoWrinkles({ geometry: { attributes, morphAttributes }
 }
 
 /**
- * Adds a flat normal map, with the base colour's transform, to a material without a normal map. Quantised UVs may need that transform
- * (KHR_mesh_quantization), and wrinkles use the normal map's coordinates.
+ * Adds a flat normal map to a material that has none, if the UVs of the meshes are quantised and the base colour map has a texture transform.
+ * Quantised UVs need the transform (KHR_mesh_quantization). The flat map gets a copy of the transform, because wrinkles use the texture
+ * coordinates of the normal map.
  */
 export function addFlatNormalMap(meshes: readonly [Mesh, ...Mesh[]]): void {
   const surface = surfaceOf(meshes[0])
@@ -35,10 +36,10 @@ export function addFlatNormalMap(meshes: readonly [Mesh, ...Mesh[]]): void {
 }
 
 /**
- * Describes the meshes of a face as plain data, placed in world space by the first mesh or its skeleton. References the geometries'
- * arrays without copying.
+ * Describes the meshes of a face as data for the worker that generates wrinkles. The matrix `placement` of the result converts positions of
+ * all meshes to world space. The arrays of the geometries are not copied.
  *
- * @param expressions names of VRM expressions that move exactly one target, by target index.
+ * @param expressions names of VRM expressions that move exactly one blendshape, by blendshape index.
  */
 export function readMeshes(
   meshes: readonly [Mesh, ...Mesh[]],
@@ -88,8 +89,8 @@ function vectors(attribute: BufferAttribute | InterleavedBufferAttribute): Vecto
 }
 
 /**
- * Matrix from mesh to world space in the rest pose. A skinned glTF mesh is placed by its joints, not by its node. In the rest pose all
- * joints give the same matrix.
+ * Returns the matrix from mesh to world space in the rest pose. A skinned glTF mesh is placed by its joints, not by its node. In the rest
+ * pose the matrix is the same for all joints, so the first joint is used.
  */
 export function placementOf(mesh: Mesh): Matrix4 {
   mesh.updateWorldMatrix(true, false)

@@ -4,9 +4,9 @@ import type { RgbaImage } from '../../core/types.ts'
 import { type Drawable, hasPixels, readImage } from '../../runtime/file/read-image.ts'
 
 /**
- * Reads the pixels of a texture as stored, row 0 at v = 0.
+ * Reads the pixels of a texture without colour conversion. Row 0 is at v = 0.
  *
- * @param who names the texture in errors.
+ * @param who name of the texture, for errors.
  * @throws FurrowError if the image is compressed, a video, or not loaded yet.
  */
 export function readTexture(texture: Texture, who: string): RgbaImage {

@@ -13,21 +13,22 @@ import type { RaisedLayer } from '../relief/raised-layer.ts'
 import { targetNames } from '../sources/morph.ts'
 import { readImageBytes } from './image-bytes.ts'
 
-/** Wrinkles of one face in a file. */
+/** The wrinkle set, drivers and meshes of one face in a file. */
 export interface LoadedWrinkles extends FileWrinkles {
-  /** Meshes of the face: the primitives of a glTF mesh with one material. Drivers read the first one. */
+  /** Meshes of the face: all primitives of a glTF mesh that share the material. Drivers read the first one. */
   meshes: [Mesh, ...Mesh[]]
 }
 
 type Parser = GLTF['parser']
 
 /**
- * Reads FURROW_wrinkle_maps from a file loaded by three.js's `GLTFLoader`, as plain data for any renderer. `WrinkleLoaderPlugin` does this
- * automatically. For VRM 0 files register the plugin too, because three-vrm replaces their materials.
+ * Reads the glTF extension FURROW_wrinkle_maps from a file that `GLTFLoader` has loaded. Creates no `Wrinkles`; `WrinkleLoaderPlugin` reads
+ * the extension and creates them. For VRM 0 files register the plugin too: it restores the extension, which three-vrm removes.
  *
  * @param gltf result of the loader.
  * @param parser parser of the loader, default `gltf.parser`.
- * @returns one entry per face with the extension. If several meshes share its material, only those that its drivers move count.
+ * @returns one entry per face. Meshes without the blendshapes that drivers read, such as eyes with the same material, are left out (see
+ *   `drivenFaces`).
  * @throws FurrowError if the extension is malformed, or an image cannot be read.
  */
 export async function readWrinkleMaps(gltf: GLTF, parser: Parser = gltf.parser): Promise<LoadedWrinkles[]> {
@@ -47,7 +48,6 @@ async function decodeHeight(layer: RaisedLayer): Promise<void> {
   delete layer.readHeight
 }
 
-/** A material with wrinkles, and the meshes that use it. */
 export interface WrinkledMaterial {
   /** Material index in the file. */
   material: number
@@ -59,7 +59,7 @@ export interface WrinkledMaterial {
 export function wrinkledMaterials(gltf: GLTF, parser: Parser): WrinkledMaterial[] {
   const found = new Map<number, WrinkledMaterial>()
   for (const meshes of facesOf(gltf, parser)) {
-    // The loader clones materials; clones map to the same index in the file.
+    // `GLTFLoader` may clone a material. `associations` has the index in the file for each clone.
     const material = parser.associations.get(surfaceOf(meshes[0]))?.materials
     if (material === undefined || extensionOf(material, parser) === undefined) continue
     const known = found.get(material) ?? { material, faces: [] }
@@ -69,7 +69,7 @@ export function wrinkledMaterials(gltf: GLTF, parser: Parser): WrinkledMaterial[
   return [...found.values()]
 }
 
-/** Selects the faces that the drivers move, among meshes that share a material; see `drivenFaces`. */
+/** Selects the faces among the meshes that share a material, see `drivenFaces`. */
 export function chooseFaces(
   faces: readonly [Mesh, ...Mesh[]][],
   { drivers }: Pick<FileWrinkles, 'drivers'>,
@@ -81,14 +81,14 @@ export function chooseFaces(
   return drivenFaces(faces, measure, drivers)
 }
 
-/** Gives meshes that are not faces a plain copy of the material. */
+/** Replaces the material of meshes that must not show wrinkles by a copy without wrinkles. */
 export function separateOthers(others: readonly Mesh[], surface: Material): void {
   if (others.length === 0) return
   const plain = surface.clone()
   for (const mesh of others) mesh.material = withSurface(mesh, surface, plain)
 }
 
-/** `wrinkleReader` for a file that `GLTFLoader` loads. */
+/** Returns a function that reads the wrinkles of a material from a file that `GLTFLoader` loads, see `wrinkleReader`. */
 export function materialReader(
   parser: Parser,
   onDriverErrors?: OnDriverErrors,
@@ -96,7 +96,7 @@ export function materialReader(
   return wrinkleReader(fileOf(parser), onDriverErrors)
 }
 
-/** Adapts a parser. Imports the KTX 2 chunk only when a file needs it. */
+/** Adapts a parser to the interface of `wrinkleReader`. Imports the code for KTX 2 only when a file needs it. */
 function fileOf(parser: Parser): GltfSource {
   return {
     json: parser.json,
@@ -108,7 +108,7 @@ function fileOf(parser: Parser): GltfSource {
   }
 }
 
-/** Groups meshes by face: primitives of one glTF mesh with the same material are one face. */
+/** Groups the meshes of a file by face. Primitives of one glTF mesh with the same material are one face. */
 export function facesOf(gltf: GLTF, parser: Parser): [Mesh, ...Mesh[]][] {
   const faces: [Mesh, ...Mesh[]][] = []
   const seen = new Set<Object3D>()
@@ -129,7 +129,7 @@ function isSibling(first: Mesh, mesh: Mesh): boolean {
   return first.parent === mesh.parent && surfaceOf(first) === surfaceOf(mesh)
 }
 
-/** Whether a mesh is one of several primitives of a glTF mesh; the loader puts these into a group. */
+/** Whether a mesh is one of several primitives of a glTF mesh. `GLTFLoader` puts these primitives into one group. */
 function isPart(mesh: Mesh, parser: Parser): boolean {
   const index = parser.associations.get(mesh)?.meshes
   return index !== undefined && parser.json.meshes[index].primitives.length > 1

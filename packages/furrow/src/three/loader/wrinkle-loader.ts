@@ -33,7 +33,6 @@ import {
   wrinkledMaterials,
 } from './read-wrinkle-maps.ts'
 
-/** `Wrinkles` class for one kind of renderer. */
 type WrinklesClass = new (
   mesh: Mesh,
   source: WrinkleSet<ArraySlice> | WrinklesBase,
@@ -47,16 +46,16 @@ export interface LoaderParts {
 }
 
 /**
- * Plugin of `GLTFLoader` that adds the wrinkles of FURROW_wrinkle_maps to loaded faces. Wrinkles follow blendshapes automatically, without
- * calls in the render loop.
+ * Plugin of `GLTFLoader` that adds the wrinkles in the glTF extension FURROW_wrinkle_maps to loaded faces. Wrinkles follow blendshapes
+ * automatically, without calls in the render loop.
  *
- * `wrinklesOf(gltf)` returns the wrinkles of a file, one per face; `wrinklesOf(mesh)` returns those of a mesh. Copies made with `clone()`
- * or `SkeletonUtils.clone()`, and meshes created with a face's material (as in JSX), get their own activations and share textures. VRM
- * drivers can read expressions if three-vrm's plugin is registered too.
+ * `wrinklesOf(gltf)` returns the wrinkles of a file, one per face. `wrinklesOf(mesh)` returns the wrinkles of a mesh. Copies made with
+ * `clone()` or `SkeletonUtils.clone()`, and meshes that the page creates with the material of a face (as in JSX), also get wrinkles. They have
+ * separate activations and share textures. Drivers can read VRM expressions if three-vrm's plugin is registered too.
  *
- * With the option `auto`, files without wrinkles get generated ones after loading; await `wrinklesReady(gltf)`.
+ * With the option `auto`, wrinkles are generated after loading for files without wrinkles. Await `wrinklesReady(gltf)` to use them.
  *
- * A file never fails to load because of its wrinkles: if they are invalid or unsupported, the face stays plain, with one warning.
+ * A file never fails to load because of its wrinkles. If the wrinkles are invalid or unsupported, the face has none, and one warning is logged.
  */
 export class WrinkleLoader {
   readonly name = WRINKLE_MAPS
@@ -66,9 +65,9 @@ export class WrinkleLoader {
   readonly #auto: AutoRunOptions | undefined
   readonly #warnings = new Warnings('WrinkleLoaderPlugin')
   readonly #declared: DeclaredWrinkles
-  /** First face of each set; later faces share its textures. */
+  /** First face with each wrinkle set. Later faces with the same set share the textures of the first face. */
   readonly #bySet = new Map<FileWrinkles['set'], WrinklesBase>()
-  /** First face of each material. */
+  /** First face with each material. */
   readonly #byMaterial = new Map<Material, WrinklesBase>()
   /** Reads the wrinkles of a material; cached. */
   readonly #read: ReturnType<typeof materialReader>
@@ -85,17 +84,17 @@ export class WrinkleLoader {
     this.#read = materialReader(parser, (errors) => this.#warnings.addDrivers(errors))
   }
 
-  /** Starts reading wrinkles in parallel with the rest of the file. Called by the loader before it loads anything. */
+  /** Starts reading wrinkles while `GLTFLoader` loads the file. `GLTFLoader` calls this method before it loads anything. */
   async beforeRoot(): Promise<void> {
     this.#declared.restore()
-    // Errors are reported when the wrinkles are added.
+    // `afterRoot` awaits the same promises and reports errors.
     for (const material of this.#declared.materials) this.#read(material).catch(() => {})
-    // Prefetches the chunk while the file loads.
+    // Downloads the code while the file loads.
     if (this.#auto) import('./auto-wrinkles.ts').catch(() => {})
     if (hasPointers(this.#parser)) dropInvalidChannels(this.#parser, this.#warnings)
   }
 
-  /** Called by the loader after everything else is loaded. */
+  /** Adds wrinkles to the faces of the file. `GLTFLoader` calls this method after it has loaded everything else. */
   async afterRoot(gltf: GLTF): Promise<void> {
     const wrinkles: WrinklesBase[] = []
     gltf.userData.wrinkles = wrinkles
@@ -109,14 +108,14 @@ export class WrinkleLoader {
         const { beginAuto } = await import('./auto-wrinkles.ts')
         beginAuto(gltf, facesOf(gltf, this.#parser), options, addFace, this.#warnings)
       } catch (error) {
-        this.#warnings.add(error, 'the file stays plain')
+        this.#warnings.add(error, 'the file is shown without wrinkles')
       }
     }
     for (const wrinkledMaterial of wrinkled) {
       const { material } = wrinkledMaterial
       const stayPlain = (error: unknown) => {
         const { name } = this.#parser.json.materials[material]
-        this.#warnings.add(error, `material ${JSON.stringify(name ?? material)} stays plain`)
+        this.#warnings.add(error, `material ${JSON.stringify(name ?? material)} is shown without wrinkles`)
       }
       try {
         const read = await this.#read(material)
@@ -149,13 +148,13 @@ export class WrinkleLoader {
   ): Promise<WrinklesBase> {
     const material = surfaceOf(meshes[0])
     const copy = this.#byMaterial.get(material)?.cloneMaterial()
-    // Each face has its own activations, and so needs its own material.
+    // Each face needs a separate material, because the uniforms of a material belong to one face.
     if (copy) for (const mesh of meshes) mesh.material = copy
-    // Packing all maps takes long, so it runs in another task than the decoding of the last image.
+    // Packing all maps takes long. It runs in a separate task, so that the page stays responsive after the last image is decoded.
     await nextTask()
     const wrinkles = this.#addWrinkles(meshes, this.#bySet.get(set) ?? new ReadSet(set))
     try {
-      // three-vrm may create the expressions later.
+      // Inputs of a VRM are looked up in the first frame, because three-vrm may create the expressions after this plugin runs.
       meshOf(wrinkles).drive(drivers, this.#inputsOf(meshes[0], file), this.#isVrm)
     } catch (error) {
       wrinkles.dispose()
@@ -166,20 +165,20 @@ export class WrinkleLoader {
     return wrinkles
   }
 
-  /** Input sources of a face's drivers. In a VRM, expressions and their binds drive too. */
+  /** Returns the sources of driver inputs other than the mesh itself. For a VRM these are its expressions, and its blendshapes as stored in the file. */
   #inputsOf(mesh: Mesh, { userData }: GLTF): InputOptions {
     if (!this.#isVrm) return {}
     const { json, associations } = this.#parser
     const index = associations.get(mesh)?.meshes
     return {
       vrmExpressions: vrmExpressions(json),
-      // Set by the plugins of three-vrm.
+      // The plugins of three-vrm set these properties.
       expressions: () => userData.vrmExpressionManager ?? userData.vrm?.expressionManager,
       ...(index !== undefined && { targetsOf: combinableTargets(json, index) }),
     }
   }
 
-  /** Adds wrinkles to the meshes of one face, to all their clones, and to other meshes drawn with their material. */
+  /** Adds wrinkles to the meshes of one face, to their clones, and to other meshes that are drawn with their material. */
   #addWrinkles(
     meshes: readonly Mesh[],
     source: WrinkleSet<ArraySlice> | WrinklesBase,
@@ -203,12 +202,11 @@ export class WrinkleLoader {
     return wrinkles
   }
 
-  /** Adds wrinkles to a mesh that the page created. */
   #tryAdd(mesh: Mesh, source: WrinklesBase): WrinklesBase | undefined {
     try {
       return this.#addWrinkles([mesh], source)
     } catch (error) {
-      this.#warnings.add(error, `mesh ${JSON.stringify(mesh.name)} stays plain`)
+      this.#warnings.add(error, `mesh ${JSON.stringify(mesh.name)} is shown without wrinkles`)
       return undefined
     }
   }
@@ -226,7 +224,7 @@ export class WrinkleLoader {
   }
 }
 
-/** Returns the faces of a material, and gives its other meshes a plain copy. */
+/** Returns the faces that show the wrinkles of a material. All other meshes with the material get a copy of it without wrinkles. */
 function separatedFaces({ faces }: WrinkledMaterial, read: FileWrinkles): [Mesh, ...Mesh[]][] {
   const chosen = chooseFaces(faces, read)
   const others = faces.filter((meshes) => !chosen.includes(meshes)).flat()

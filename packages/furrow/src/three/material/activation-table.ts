@@ -3,15 +3,17 @@ import { MAX_AREAS, MAX_LAYERS } from '../../core/limits.ts'
 import type { Activations } from '../../runtime/activations.ts'
 import type { AreaArray } from '../atlas/area-array.ts'
 
-/** One column per channel of the largest area array. */
+/** Number of columns: one per channel of the largest texture array of areas. */
 const COLUMNS = 4 * MAX_AREAS
 
 /**
- * Activations as a texture, for shaders that loop over all areas as the paper does.
+ * Texture with the activations of all areas, for shaders that loop over areas in every pixel. An area is a group of wrinkles with weights in UV
+ * space, and its activation (0..1) is the current strength of these wrinkles. The mode `paper` has such a shader.
  *
- * Each area has a column, `slice * channels + channel`, where `slice` and `channel` locate its weights. Row 0 holds areas that combine by
- * `sum`, row 1 those that combine by `max`. The activation is in the texel's channel with the index of the area's layer; other channels are
- * 0. One loop therefore computes all layers, and shader programs do not depend on the number of areas or their layers.
+ * The texel of an area is in column `slice * channels + channel`, where `slice` and `channel` locate its weights in the texture array. The
+ * texel is in row 0 if the area combines by `sum`, in row 1 if it combines by `max`. The channels of a texel are the layers: the channel of
+ * the area's layer holds the activation, and the other channels are 0. One loop therefore computes all layers, and no shader depends on the
+ * number of areas or on their layers.
  */
 export class ActivationTable {
   readonly texture: DataTexture
@@ -27,7 +29,7 @@ export class ActivationTable {
   }
 
   /**
-   * Writes the activations of all areas if their version has changed.
+   * Copies the activations of all areas into the texture if their version has changed.
    *
    * @param activations values (0..1) in the order of the areas.
    */

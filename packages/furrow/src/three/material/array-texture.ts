@@ -3,16 +3,16 @@ import { isSlice } from '../../core/check-areas.ts'
 import { FurrowError } from '../../core/error.ts'
 import type { AnyRenderer } from '../renderer.ts'
 
-/** A texture array, compressed or not. */
 export type ArrayTexture = CompressedArrayTexture | DataArrayTexture
 
-/** Uploads changes since the renderer's last draw; called before every frame. */
+/** Uploads texture changes that a renderer has not uploaded yet. Called in every frame. */
 export type Upload = (renderer: AnyRenderer) => void
 
 /**
  * Returns the texture array that contains all maps.
  *
- * @param label names the maps in errors.
+ * @param maps slices of texture arrays, or images.
+ * @param label name of the maps, for errors.
  * @throws FurrowError if a map is an image, or a slice of another array.
  */
 export function arrayOf(maps: readonly object[], who: string, label: string): ArrayTexture {

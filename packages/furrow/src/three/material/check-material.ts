@@ -3,13 +3,12 @@ import { FurrowError } from '../../core/error.ts'
 import { readsNormalMap, surfaceOf } from './surface.ts'
 import type { WrinkleMaterial } from './wrinkle-material.ts'
 
-/** Materials that show wrinkles. */
 export const patchedMaterials = new WeakSet<Material>()
 
 /**
- * Returns the material of a mesh that will show its wrinkles.
+ * Returns the material that will show the wrinkles of a mesh.
  *
- * @throws FurrowError if the material is unsupported, or already shows wrinkles. The error names the mesh.
+ * @throws FurrowError if the material is unsupported, or already shows wrinkles.
  */
 export function checkMaterial(mesh: Mesh): WrinkleMaterial {
   const material = surfaceOf(mesh) as WrinkleMaterial

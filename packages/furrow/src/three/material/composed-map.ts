@@ -17,8 +17,9 @@ import { Quads } from '../atlas/quads.ts'
 import { renderPreservingState } from '../atlas/render-preserving-state.ts'
 import type { AnyRenderer } from '../renderer.ts'
 import type { ShaderInputs } from './shader-inputs.ts'
+import { copyUvTransform } from './textures.ts'
 
-/** Rectangle that covers the complete map. */
+/** Rectangle that covers the complete composed map. `Quads` draws it to redraw the complete map. */
 const FULL: AreaSlot = {
   layer: 0,
   combine: 'sum',
@@ -34,31 +35,35 @@ export interface Size {
 }
 
 /**
- * Creates a material for `Quads` that draws the composed normal map: `base` with the wrinkles mixed in.
+ * Creates a material that draws the composed normal map with `Quads`. The composed map is `base`, mixed with the normals of the wrinkles.
  *
- * @param level mip level being drawn, if all maps have one size: texels then correspond and need no filtering. Undefined if sizes differ.
+ * @param level mip level that is drawn. The shader reads one texel of each map for each texel of the level. Undefined if the maps differ in
+ *   size; the shader then filters the maps.
  */
 export type ComposeMaterial = (base: Texture, inputs: ShaderInputs, level?: Level) => Material
 
-/** Mip level being drawn, 0 = finest. */
+/** Uniform with the mip level that is drawn, 0 = finest. */
 export interface Level {
   value: number
 }
 
+/** Size and mip levels of a composed normal map. */
 export interface ComposedFormat extends Size {
-  /** Level uniform of the material. */
+  /** Uniform with the mip level that the material draws; undefined if the maps differ in size. */
   level?: Level | undefined
   /**
-   * Number of mip levels to draw. Each level is mixed from the same level of the maps, as in the default mode. With 1 (the default), only the
-   * finest level is drawn, and the GPU generates the others from it. Both results differ by at most two 8-bit steps.
+   * Number of mip levels to draw. If it is 1 (default), only the finest level is drawn, and the GPU generates the other levels from it.
+   * Otherwise every level is mixed from the same level of the maps, as in the default mode. The results of the two methods differ by at most
+   * two 8-bit steps.
    */
   levels?: number
 }
 
 /**
- * Chooses the size and mip levels of the map composed from a material's normal map and its layers' normals.
+ * Chooses the size and mip levels of a composed normal map.
  *
- * @param drawsLevels whether to draw all mip levels, if both maps have them.
+ * @param normals normal maps of the layers.
+ * @param drawsLevels whether to draw all mip levels. Has no effect unless `base` and `normals` have mipmaps and the same size.
  */
 export function composedFormat(base: Texture, normals: Texture, drawsLevels: boolean): ComposedFormat {
   const [baseSize, layerSize] = sizesOf(base, normals)
@@ -69,7 +74,6 @@ export function composedFormat(base: Texture, normals: Texture, drawsLevels: boo
   return { ...size, level: { value: 0 }, levels: isDrawn ? levels : 1 }
 }
 
-/** Number of mip levels down to one texel. */
 function levelsOf({ width, height }: Size): number {
   return 1 + Math.floor(Math.log2(Math.max(width, height)))
 }
@@ -79,7 +83,6 @@ function hasLevels({ generateMipmaps, minFilter, mipmaps }: Texture, levels: num
   return isMipmapped && (generateMipmaps || mipmaps!.length === levels)
 }
 
-/** Larger size of the two maps, per axis. */
 export function composedSize(base: Texture, normals: Texture): Size {
   const [baseSize, layerSize] = sizesOf(base, normals)
   return {
@@ -93,12 +96,13 @@ function sizesOf(...maps: Texture[]): Size[] {
 }
 
 /**
- * Normal map of a face with its wrinkles mixed in, drawn in UV space. Supports materials whose shader cannot be patched. A face at rest
- * costs as much as a plain face.
+ * A face's normal map with its wrinkles mixed in, drawn in UV space when activations change. An activation, 0..1, is the current strength of
+ * an area, i.e. of a group of wrinkles. The composed map replaces the normal map of the material, so wrinkles also work on materials whose
+ * shader cannot be patched.
  */
 export class ComposedMap {
   readonly target: RenderTarget
-  /** The material's own normal map. */
+  /** Normal map of the material. The composed map replaces it. */
   readonly base: Texture
   readonly #quads: Quads
   readonly #scene = new Scene()
@@ -115,8 +119,8 @@ export class ComposedMap {
   #drawn = new Float32Array(0)
 
   /**
-   * @param base normal map to replace; its filters and transform are kept.
-   * @param material draws `Quads` of the composed map.
+   * @param base normal map to replace. The composed map has the same wrapping, anisotropy, UV channel and transform.
+   * @param material draws the composed map, see `ComposeMaterial`.
    */
   constructor(
     base: Texture,
@@ -137,15 +141,9 @@ export class ComposedMap {
       wrapT: base.wrapT,
     })
     const { texture } = this.target
-    // three.js allocates levels that are drawn separately by the length of `mipmaps`.
+    // three.js allocates one mip level per item of `mipmaps`.
     if (levels > 1) texture.mipmaps = Array.from({ length: levels }, () => ({})) as typeof texture.mipmaps
-    texture.channel = base.channel
-    texture.matrixAutoUpdate = base.matrixAutoUpdate
-    texture.offset.copy(base.offset)
-    texture.repeat.copy(base.repeat)
-    texture.center.copy(base.center)
-    texture.rotation = base.rotation
-    texture.matrix.copy(base.matrix)
+    copyUvTransform(texture, base)
     this.#hasContents = hasContents
     this.#quads = new Quads({ width: 1, height: 1, grid: { columns: 1, rows: 1 } }, material)
     this.#scene.matrixWorldAutoUpdate = false
@@ -153,9 +151,11 @@ export class ComposedMap {
   }
 
   /**
-   * Redraws areas whose activations have changed, or everything if the fade has changed. The influence map must be up to date.
+   * Redraws the areas whose activations have changed. Redraws the complete map if `areas`, `fade` or `version` have changed, or if the map
+   * has lost its contents. The influence map must be up to date.
    *
-   * @param version changes with the weights and maps.
+   * @param values activations in the order of the areas.
+   * @param version number that changes when weights of areas or maps of layers change.
    */
   update(renderer: AnyRenderer, areas: AreaArray, values: Float32Array, fade: number, version: number): void {
     this.#quads.begin()
@@ -194,7 +194,10 @@ export class ComposedMap {
     this.#quads.put(0, 0, FULL, 0)
   }
 
-  /** Adds the rectangles of changed areas. Rectangles may overlap: if their bounding rectangle has fewer texels than their sum, adds that one. */
+  /**
+   * Adds the rectangles of areas whose activations have changed. Overlapping rectangles may cover more texels in total than their bounding
+   * rectangle; the bounding rectangle is then added instead.
+   */
   #putMoved(values: Float32Array): void {
     const { bounds } = this.#span
     bounds.x0 = bounds.y0 = 1
@@ -214,7 +217,7 @@ export class ComposedMap {
   }
 }
 
-/** Returns the rectangle of the map, 0..1, that an area affects: its bounds, extended by one texel because of bilinear filtering. */
+/** Converts the bounds of an area to 0..1. Extends them by one texel on each side, because bilinear filtering reads neighbouring texels. */
 function reachOf(slot: AreaSlot, { width, height }: AreaArray): AreaSlot {
   const { x0, y0, x1, y1 } = slot.bounds
   const bounds = {

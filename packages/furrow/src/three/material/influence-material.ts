@@ -3,7 +3,7 @@ import { ActivationTable } from './activation-table.ts'
 import type { InfluenceView } from './influence-view.ts'
 import type { RendererParts } from './renderer-parts.ts'
 
-/** Creates an unlit material that shows influence as gray. */
+/** Creates an unlit material that shows the influence map of a face in gray, or the weights of some areas. */
 export function createInfluenceMaterial(
   view: InfluenceView,
   { unlitMaterial, showInfluence }: RendererParts,

@@ -1,11 +1,11 @@
 import { NoColorSpace, SRGBColorSpace } from 'three'
 import { isSlice } from '../../core/check-areas.ts'
 import type { ArraySlice, GrayImage, Layer, RgbaImage } from '../../core/types.ts'
-import { type PackedMaps, packMaps, type ValueKind } from '../../runtime/layer-maps.ts'
+import { type PackedMaps, packMaps, type ValueKind } from '../../runtime/maps/layer-maps.ts'
 import { type ArrayTexture, arrayOf } from './array-texture.ts'
 import { mapTexture } from './textures.ts'
 
-/** Maps of one kind for all layers, as one texture array. */
+/** The maps of one kind, e.g. normals, of all layers in one texture array. */
 export interface LayerMaps {
   texture: ArrayTexture
   /** Slice of each layer's map; null if the layer has no such map. */
@@ -16,7 +16,7 @@ export interface LayerMaps {
 
 type Map = RgbaImage | GrayImage | ArraySlice
 
-/** Creates the array of one kind of map; undefined if no layer has such a map. */
+/** Creates the texture array for one kind of map; returns undefined if no layer has a map of this kind. */
 export function layerMaps(
   layers: readonly Layer<ArraySlice>[],
   kind: 'normal' | ValueKind,
@@ -36,7 +36,6 @@ export function layerMaps(
   return { texture, slices, channel: (present[0] as ArraySlice).channel }
 }
 
-/** Layer maps of packed images in a texture. */
 export function packedLayerMaps({ slices, channel }: PackedMaps, texture: ArrayTexture): LayerMaps {
   return { texture, slices, channel }
 }

@@ -3,13 +3,16 @@ import { ComposedMap, composedFormat } from './composed-map.ts'
 import type { ModeHost, ShownMode } from './patch.ts'
 import type { RendererParts } from './renderer-parts.ts'
 
-/** Patches a material to show wrinkles in a mode. Callers must call `renew` afterwards, and again after `undo`. */
+/** Patches a material to show wrinkles in a mode. Callers must call `RendererParts.renew` afterwards, and again after `undo`. */
 export function showMode(mode: Exclude<WrinkleMode, 'off'>, host: ModeHost, parts: RendererParts): ShownMode {
   if (mode === 'composed') return showComposed(host, parts)
   return mode === 'paper' ? showPaper(host, parts) : parts.showDefault(host)
 }
 
-/** Lights twice and mixes the colours. Requires `updatePaper`. */
+/**
+ * Patches a material to compute the lighting separately for smooth and for wrinkled skin, and to mix the two colours. Call `updatePaper`
+ * first.
+ */
 function showPaper(host: ModeHost, { showPaper: show }: RendererParts): ShownMode {
   const { inputs } = host
   return {
@@ -18,7 +21,7 @@ function showPaper(host: ModeHost, { showPaper: show }: RendererParts): ShownMod
   }
 }
 
-/** Replaces a material's normal map by the composed one. */
+/** Replaces the normal map of a material by a composed normal map, see `ComposedMap`. */
 function showComposed(
   { material, inputs }: ModeHost,
   { composeMaterial, drawsLevels, quads }: RendererParts,

@@ -10,19 +10,18 @@ import { mapTexture } from './textures.ts'
 import type { WrinkleMaterial } from './wrinkle-material.ts'
 import type { WrinkleTextures } from './wrinkle-textures.ts'
 
-/** Texture array read by the paper's shader. Slices: diffuse colours, smooth normals, wrinkled normals. */
+/** Texture array for the shader of the mode `paper`. Its three slices are diffuse colours, smooth normals and wrinkled normals. */
 export interface PaperArray {
   texture: DataArrayTexture
-  /** Whether the diffuse colours are sRGB-encoded. */
   diffuseIsSrgb: boolean
-  /** Version of the layer maps. */
+  /** Version of the layer maps from which the array was packed, see `WrinkleTextures`. */
   version: number
 }
 
 /**
- * Packs the paper's array.
+ * Packs the texture array for the mode `paper`.
  *
- * @param smoothMap the material's original normal map, or null.
+ * @param smoothMap original normal map of the material, or null.
  * @throws FurrowError if there are several layers, or maps cannot be read or differ in size.
  */
 export function packPaperArray(

@@ -4,29 +4,29 @@ import type { AnyRenderer } from '../renderer.ts'
 import type { ShaderInputs } from './shader-inputs.ts'
 import type { WrinkleMaterial } from './wrinkle-material.ts'
 
-/** Face whose material a mode patches, with callbacks for the compilation of its shader. */
+/** A material to patch, the face that it belongs to, and callbacks for the compilation of its shader. */
 export interface ModeHost {
   readonly material: WrinkleMaterial
   readonly inputs: ShaderInputs
-  /** Live list of the face's meshes. */
+  /** Meshes of the face. The list may grow. */
   readonly meshes: readonly Mesh[]
-  /** Reports that the shader cannot be patched, and was left unchanged. */
+  /** Called if the shader cannot be patched. The shader is then unchanged. */
   refuse(): void
-  /** Called before `WebGLRenderer` compiles a patched shader: the only callback that `WebGLRenderer.compile` triggers. */
+  /** Called before `WebGLRenderer` compiles the patched shader. */
   onCompile(renderer: WebGLRenderer): void
 }
 
 /** A patch that makes a material show wrinkles. Callers must rebuild the material. */
 export interface ShownMode {
-  /** The material's original normal map, if the mode replaces it. */
+  /** Original normal map of the material, if the mode replaces it. */
   base?: Texture
-  /** The replacement of `base`. */
+  /** Normal map that replaces `base`. */
   composed?: Texture
-  /** Phase 5 of a frame, with an up-to-date influence map. */
+  /** Updates textures that depend on the influence map or the activations. Called in every frame, after the influence map is drawn. */
   update?: (renderer: AnyRenderer, activations: Activations) => void
-  /** Whether the shader supports another mesh of the face. Omitted if it supports any. */
+  /** Whether the shader can draw another mesh of the face. Omitted if it can draw all meshes. */
   supportsMesh?(mesh: Mesh): boolean
-  /** Whether the shader matches the material's current maps and the faces in the atlas. Omitted if it always does. */
+  /** Whether the shader still matches the maps of the material and the number of faces in the atlas. Omitted if it always matches. */
   isCurrent?(): boolean
   undo(): void
 }

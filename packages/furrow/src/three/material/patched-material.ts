@@ -16,34 +16,34 @@ import { flatNormalTexture } from './textures.ts'
 import { updatePaper } from './update-paper.ts'
 import { cloneByClass, type WrinkleMaterial } from './wrinkle-material.ts'
 
-/** A user's material, patched to show wrinkles. */
+/** A material of the page whose shader is patched to show wrinkles. */
 export class PatchedMaterial {
   mode: WrinkleMode = 'off'
   readonly #meshes: readonly Mesh[]
   readonly #material: WrinkleMaterial
   readonly #inputs: ShaderInputs
   readonly #renderer: RendererParts
-  /** Flat normal map, used while the material has none of its own. */
+  /** Flat normal map. Used while the page has set no normal map, because patches need the texture coordinates of a normal map. */
   readonly #flat: Texture
-  /** Patches the material to draw relief; null without relief. */
+  /** Patches the material to draw relief, i.e. to displace the surface by height maps; null without relief. */
   #patchRelief: ((material: Material) => () => void) | null = null
   #undoRelief: (() => void) | undefined
   readonly #influenceMaterials = new WeakSet<Material>()
-  /** Number of materials that show the current influence. While there are any, the influence map is updated in every mode. */
+  /** Number of materials that show the influence map. While it is above 0, the influence map is updated in every mode. */
   views = 0
-  /** Whether the shader turned out not to be patchable. */
+  /** Whether patching the shader has failed. */
   #isRefused = false
-  /** Patch of the current mode; null while the material is plain. */
+  /** Patch of the current mode; null while the material is not patched. */
   #shown: ShownMode | null = null
-  /** Whether the material is kept plain in every mode. */
+  /** Whether the material stays unpatched in every mode. */
   #isSuspended = false
-  /** Whether this object, rather than the page, is disposing of the material. */
+  /** True while this object calls `dispose` of the material to rebuild its shader. Other `dispose` calls come from the page. */
   #isRenewing = false
   readonly #onCompile: ModeHost['onCompile']
   readonly #onDisposed: () => void
 
   /**
-   * @param meshes live list of the face's meshes; call `follow` after adding one.
+   * @param meshes meshes of the face. Call `follow` after adding a mesh to this list.
    * @param onDisposed called when the page disposes of the material.
    */
   constructor(
@@ -61,21 +61,21 @@ export class PatchedMaterial {
     this.#inputs = inputs
     this.#renderer = renderer
     this.#flat = flatNormalTexture(material.normalMap)
-    // three.js writes the name into a one-line shader directive, which line breaks and trailing backslashes would break.
+    // three.js copies the name into a `#define`. A line break would end it, and a trailing backslash would continue it in the next line.
     material.name &&= material.name.replace(/[\r\n\\]/g, ' ')
     patchedMaterials.add(material)
     material.addEventListener('dispose', this.#onDisposed)
   }
 
-  /** Phase 5 of a frame, in modes that need it. */
+  /** Updates textures of the current mode in each frame, see `ShownMode`; undefined if the mode has no such textures. */
   get update(): ShownMode['update'] {
     return this.#shown?.update
   }
 
   /**
-   * Changes the mode. Falls back from `default` to `composed` if the material cannot be patched.
+   * Changes the mode. If the shader cannot be patched, `default` becomes `composed`.
    *
-   * @throws FurrowError if the mode is unsupported here; the mode then stays unchanged.
+   * @throws FurrowError if the mode is unsupported for the mesh or material; the mode then stays unchanged.
    */
   show(requested: WrinkleMode): void {
     const mode = requested === 'default' && !this.#isPatchable ? 'composed' : requested
@@ -95,10 +95,10 @@ export class PatchedMaterial {
   }
 
   /**
-   * Called before each frame, because the result of compilation is known only after the first one. Falls back to the composed mode if
-   * the shader could not be patched. Turns wrinkles off, with one warning, if the shader does not compile.
+   * Called in each frame, because a failure to patch or compile the shader is known only after the first draw. If the shader could not be
+   * patched, changes to the mode `composed`. If the shader does not compile, turns wrinkles off with one warning.
    *
-   * @param renderer null between frames.
+   * @param renderer renderer of the frame; null between frames.
    */
   settle(renderer: AnyRenderer | null): void {
     if (this.mode === 'off') return
@@ -116,18 +116,18 @@ export class PatchedMaterial {
     }
   }
 
-  /** Sets the relief patch, which applies in all modes but `off`; null for none. */
+  /** Sets the patch that draws relief in all modes except `off`; null removes it. */
   setRelief(patch: ((material: Material) => () => void) | null): void {
     this.#patchRelief = patch
     if (this.mode !== 'off') this.#apply(this.mode)
   }
 
-  /** Called when a mesh is added to the face. */
+  /** Called when a mesh is added to the face. Rebuilds the shader if it does not support the mesh. */
   follow(mesh: Mesh): void {
     if (this.#shown?.supportsMesh?.(mesh) === false) this.#apply(this.mode)
   }
 
-  /** Clones the material without wrinkles. */
+  /** Clones the material without its wrinkles. */
   clone(): Material {
     this.#unpatch()
     const copy = cloneByClass(this.#material)
@@ -135,12 +135,16 @@ export class PatchedMaterial {
     return copy
   }
 
-  /** Returns the mesh's `material` value in which the wrinkled material is cloned, without wrinkles. */
+  /** Returns the value of `mesh.material`, with a clone in place of the patched material. The clone has no wrinkles. */
   cloneAll(): Material | Material[] {
     return withSurface(this.#mesh, this.#material, this.clone())
   }
 
-  /** Creates a material that shows influence as gray. */
+  /**
+   * Creates a material that shows the influence map in gray.
+   *
+   * @param weights if given, the material shows the weights of these areas instead.
+   */
   influenceMaterial(weights?: InfluenceView['weights']): Material {
     const wrinkled = { normalMap: this.#material.normalMap ?? this.#flat }
     const view = { wrinkled, inputs: this.#inputs, instances: instancesOf(this.#mesh), weights }
@@ -153,7 +157,7 @@ export class PatchedMaterial {
     return material
   }
 
-  /** Makes the material plain until `resume`, and frees the resources of its mode. */
+  /** Removes the patch until `resume`, and frees the resources of the mode. */
   suspend(): void {
     this.#isSuspended = true
     this.#apply(this.mode)
@@ -170,11 +174,11 @@ export class PatchedMaterial {
     this.show('off')
     this.#flat.dispose()
     patchedMaterials.delete(this.#material)
-    // Renderers cache uniforms with the material; wrinkles added later need their own.
+    // Renderers cache the uniforms of a material, and would use the old uniforms for wrinkles that are added later.
     this.#material.dispose()
   }
 
-  /** Whether a mesh uses the material, or a material that shows its influence. */
+  /** Whether a mesh has the patched material, or a material from `influenceMaterial`. */
   isOn({ material }: Mesh): boolean {
     if (Array.isArray(material)) return material.includes(this.#material)
     return material === this.#material || this.#influenceMaterials.has(material)
@@ -184,7 +188,6 @@ export class PatchedMaterial {
     return this.#material
   }
 
-  /** Mesh that the wrinkles were created with. */
   get #mesh(): Mesh {
     return this.#meshes[0]
   }
@@ -233,7 +236,6 @@ export class PatchedMaterial {
     if (this.#material.normalMap === this.#flat) this.#material.normalMap = null
   }
 
-  /** Turns wrinkles off if the shader does not compile. */
   #checkShader(renderer: AnyRenderer): void {
     const shaderError = this.#renderer.shaderErrorOf(this.#material, renderer)
     if (shaderError === null) return

@@ -8,31 +8,30 @@ import type { ShowInfluence } from './influence-view.ts'
 import type { ModeHost, ShownMode } from './patch.ts'
 import type { WrinkleMaterial } from './wrinkle-material.ts'
 
-/** Renderer-specific parts of wrinkles. */
+/** Functions and values that differ between `WebGLRenderer` and `WebGPURenderer`. */
 export interface RendererParts {
   entry: Entry
-  /** Whether the material's shader can be patched; otherwise the composed mode is used. */
+  /** Whether the shader of a material can be patched. Otherwise the mode `composed` is used. */
   canPatch(material: WrinkleMaterial): boolean
   showDefault(host: ModeHost): ShownMode
   showPaper(host: ModeHost): ShownMode
   composeMaterial: ComposeMaterial
   /**
-   * Whether the composed mode draws all mip levels itself, limited to changed areas. On a software rasteriser that takes half as long as
-   * generating complete mipmaps. False where render passes are expensive.
+   * Whether the mode `composed` draws the changed areas in every mip level, instead of generating all mipmaps from the first level. On a
+   * software rasteriser this takes half as long, but it needs one render pass per level.
    */
   drawsLevels: boolean
   showInfluence: ShowInfluence
-  /** Makes the renderer rebuild the material's shader with its current uniforms. */
+  /** Makes the renderer rebuild the shader of a material with its current uniforms. */
   renew(material: Material): void
-  /** Compile error of the material's shader, or null if none is known yet. Called before every draw. */
+  /** Returns the compile error of a material's shader, or null if there is none or compilation is not finished. Called before every draw. */
   shaderErrorOf(material: Material, renderer: AnyRenderer): string | null
-  /** Whether a compilation is running, during which nothing may be drawn. */
+  /** Whether the renderer is compiling a scene without drawing it. The influence map must not be drawn meanwhile. */
   isCompiling?(renderer: AnyRenderer): boolean
-  /** Creates a black material without lights and tone mapping. */
+  /** Creates a black material that ignores lights and tone mapping. */
   unlitMaterial(): Material
   bindTension: BindTension
-  /** Materials of the influence atlas. */
   quads: QuadMaterials
-  /** Downloads the code for relief when a face first needs it. Most pages never show a face that large. */
+  /** Downloads the code for relief. Called only when a face first needs relief, because most pages need none. */
   loadRelief(): Promise<CreateRelief>
 }

@@ -8,27 +8,30 @@ import type { PaperArray } from './paper-array.ts'
 import { release, retain } from './texture-users.ts'
 import { listTextures, type WrinkleTextures } from './wrinkle-textures.ts'
 
-/** Uniforms of the shaders. Each `{ value }` object keeps its identity for the lifetime of the wrinkles. */
+/**
+ * Uniforms of the shaders that show the wrinkles of one mesh. Shaders keep references to the `{ value }` objects, which must not be replaced.
+ * The influence atlas is a texture with one cell per face. The cell holds in UV space how strongly each layer of wrinkles is visible.
+ */
 export interface ShaderInputs {
   readonly textures: WrinkleTextures
   areas: AreaArray
-  /** Texture of `areas`, for shaders that loop over them. */
+  /** Texture of `areas`, for shaders that loop over all areas. */
   readonly areaTexture: { value: Texture }
   /** Influence atlas. */
   readonly influence: { value: Texture }
-  /** Whether the atlas holds a single, non-instanced face; see `AtlasCells.isSingle`. */
+  /** Whether the mesh is not instanced, and its cell fills the atlas; see `AtlasCells.isSingle`. */
   isAlone(): boolean
   /** Columns and rows of the atlas, and the index of the mesh's first cell. */
   readonly grid: { value: Vector3 }
-  /** Location of the first cell, see `AtlasCells.locate`. */
+  /** Location of the first cell in the atlas, see `AtlasCells.locate`. */
   readonly cell: { value: Vector4 }
-  /** Transform of texture coordinates to coordinates in the cell, see `AtlasCells.inside`. */
+  /** Converts texture coordinates to coordinates in the cell, see `AtlasCells.inside`. */
   readonly inside: { value: Vector4 }
-  /** Half a texel of a cell, in cell coordinates (0..1). */
+  /** Half the size of a texel, relative to the cell. */
   readonly inset: { value: Vector2 }
-  /** UV bounds of the active areas: u0, v0, u1, v1. Empty if all wrinkles are faded out. */
+  /** UV bounds of the active areas: u0, v0, u1, v1. Empty while the wrinkles are faded out. Unbounded for several instances. */
   readonly reach: { value: Vector4 }
-  /** Opacity, 0 (hidden) to 1. */
+  /** Opacity of the wrinkles, 0 (hidden) to 1. */
   readonly fade: { value: number }
   /** Normal scale per layer. */
   readonly normalScale: { value: Vector4 }
@@ -36,11 +39,13 @@ export interface ShaderInputs {
   readonly occlusionStrength: { value: Vector4 }
   /** Blood amplitude per layer. */
   readonly bloodAmplitude: { value: Vector4 }
-  /** Inputs of the paper mode; null in other modes. */
+  /** Strength of the onset map per layer. */
+  readonly onsetStrength: { value: Vector4 }
+  /** Textures of the mode `paper`; null until the mode is first used. */
   paper: (PaperArray & { table: ActivationTable }) | null
 }
 
-/** Creates shader inputs for faces with cells in an atlas. Textures may be shared with other faces. */
+/** Creates the shader inputs of a mesh. Each instance of the mesh is a face with a cell in the atlas. Several meshes may share the textures. */
 export function createShaderInputs(
   textures: WrinkleTextures,
   areas: AreaArray,
@@ -63,18 +68,18 @@ export function createShaderInputs(
     normalScale: textures.normalScale,
     occlusionStrength: textures.occlusionStrength,
     bloodAmplitude: textures.bloodAmplitude,
+    onsetStrength: textures.onsetStrength,
     paper: null,
   }
   retainShaderInputs(inputs)
   return inputs
 }
 
-/** Registers a user of the textures. */
+/** Increments the user counts of the textures, see `retain`. */
 export function retainShaderInputs({ textures, areas }: ShaderInputs): void {
   for (const texture of [areas.texture, ...listTextures(textures)]) retain(texture)
 }
 
-/** Replaces the area array. */
 export function exchangeAreas(inputs: ShaderInputs, areas: AreaArray): void {
   retain(areas.texture)
   release(inputs.areas.texture)
@@ -82,14 +87,14 @@ export function exchangeAreas(inputs: ShaderInputs, areas: AreaArray): void {
   inputs.areaTexture.value = areas.texture
 }
 
-/** Disposes of textures without other users. Textures drawn later are uploaded again. */
+/** Decrements the user counts of the textures, and disposes of textures without users. A later draw uploads them again. */
 export function releaseShaderInputs({ textures, areas, paper }: ShaderInputs): void {
   for (const texture of [areas.texture, ...listTextures(textures)]) release(texture)
   paper?.texture.dispose()
   paper?.table.texture.dispose()
 }
 
-/** Updates the location of a mesh's cells, because the atlas may grow, and the bounds of its active areas. */
+/** Updates two groups of uniforms: the bounds of the active areas, and the location of the cells, which changes when the atlas grows. */
 export function locateCells(
   { grid, cell, reach, fade, areas }: ShaderInputs,
   atlas: InfluenceAtlas,

@@ -7,7 +7,7 @@ export function retain(texture: Texture): void {
   users.set(texture, (users.get(texture) ?? 0) + 1)
 }
 
-/** Decrements the user count of a texture, and disposes of the texture at 0. */
+/** Decrements the user count of a texture, and disposes of the texture if it has no users. */
 export function release(texture: Texture): void {
   const left = (users.get(texture) ?? 1) - 1
   users.set(texture, left)

@@ -17,8 +17,8 @@ import {
 import type { ImageArray } from '../../core/image-array.ts'
 
 /**
- * Creates a texture of areas: one channel, filtered, clamped to the edge as in the reference. No mipmaps: areas are smooth, and mipmaps
- * would bleed across UV islands.
+ * Creates a texture array of areas, with one channel per slice. It has no mipmaps: areas are smooth enough without them, and in mipmaps areas
+ * would bleed across the borders of UV islands.
  */
 export function areaTexture(areas: ImageArray): DataArrayTexture {
   const texture = new DataArrayTexture(areas.data, areas.width, areas.height, areas.depth)
@@ -30,10 +30,10 @@ export function areaTexture(areas: ImageArray): DataArrayTexture {
 const FORMATS = { 1: RedFormat, 2: RGFormat, 4: RGBAFormat } as const
 
 /**
- * Creates a mipmapped texture of layer maps with one, two or four channels.
+ * Creates a mipmapped texture array of layer maps with one, two or four channels.
  *
- * @param anisotropy anisotropy of the base map, so that both blur alike at grazing angles.
- * @param colorSpace `SRGBColorSpace` for colours that are decoded when sampled, default none.
+ * @param anisotropy anisotropy of the material's normal map, so that wrinkles and normal map blur equally at grazing angles.
+ * @param colorSpace `SRGBColorSpace` for colours, default `NoColorSpace`.
  */
 export function mapTexture(
   maps: ImageArray,
@@ -50,25 +50,31 @@ export function mapTexture(
 }
 
 /**
- * Creates a normal map of one flat texel. Half floats, because no byte is exactly 0.5 and skin without wrinkles must look unchanged.
+ * Creates a normal map of one flat texel. The texel has half floats, because no byte is exactly 0.5. With bytes, a material would look slightly
+ * different than without a normal map.
  *
- * @param map map whose UV channel and transform are copied; null for the default.
+ * @param map map whose UV channel and transform are copied; null for channel 0 without a transform.
  */
 export function flatNormalTexture(map: Texture | null): DataTexture {
   const [half, one] = [0.5, 1].map(DataUtils.toHalfFloat)
   const texture = new DataTexture(Uint16Array.of(half, half, one, one), 1, 1, RGBAFormat, HalfFloatType)
-  // The composed map inherits the wrapping, and must repeat as layers do.
+  // A composed normal map copies the wrapping of this map, and must repeat like the maps of the layers.
   texture.wrapS = texture.wrapT = RepeatWrapping
-  // The composed map is drawn with the same shader. On WebGPU the shader of an unfiltered texture would load level 0 only.
+  // On WebGPU, the shader of the composed normal map would read only mip level 0 if this texture were not filtered.
   texture.magFilter = LinearFilter
   texture.minFilter = LinearMipmapLinearFilter
-  if (map) {
-    texture.channel = map.channel
-    texture.rotation = map.rotation
-    for (const key of ['offset', 'repeat', 'center'] as const) texture[key].copy(map[key])
-  }
+  if (map) copyUvTransform(texture, map)
   texture.needsUpdate = true
   return texture
+}
+
+/** Sets the UV channel and the UV transform of a texture to those of another texture. */
+export function copyUvTransform(texture: Texture, from: Texture): void {
+  texture.channel = from.channel
+  texture.rotation = from.rotation
+  texture.matrixAutoUpdate = from.matrixAutoUpdate
+  for (const key of ['offset', 'repeat', 'center'] as const) texture[key].copy(from[key])
+  texture.matrix.copy(from.matrix)
 }
 
 function finish(texture: DataArrayTexture): DataArrayTexture {

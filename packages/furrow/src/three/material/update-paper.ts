@@ -4,9 +4,10 @@ import type { ShaderInputs } from './shader-inputs.ts'
 import type { WrinkleMaterial } from './wrinkle-material.ts'
 
 /**
- * Packs the paper's array of a material if it is missing or outdated. Reuses the texture, because shaders reference it.
+ * Packs the texture array for the mode `paper` if it is missing or outdated. An existing texture is kept and gets new pixels, because shaders
+ * reference it.
  *
- * @param smoothMap the material's original normal map, or null.
+ * @param smoothMap original normal map of the material, or null.
  * @throws FurrowError if there are several layers, or maps cannot be read or differ in size.
  */
 export function updatePaper(

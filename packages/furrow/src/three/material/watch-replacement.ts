@@ -2,7 +2,7 @@ import type { Mesh } from 'three'
 import { formatProblem } from '../../core/error.ts'
 import type { PatchedMaterial } from './patched-material.ts'
 
-/** Number of consecutive draws with another material before a warning. Passes such as selective bloom swap materials for fewer draws. */
+/** Number of consecutive draws with another material before a warning. Some passes, e.g. selective bloom, replace materials for a few draws. */
 const MAX_DRAWS = 30
 
 /**

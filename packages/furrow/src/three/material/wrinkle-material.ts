@@ -8,12 +8,12 @@ export type WrinkleMaterial = Material &
     isRawShaderMaterial?: boolean
   }
 
-/** Whether a material has toon shading, by three.js's gradient map or MToon's factor. */
+/** Whether a material has toon shading: three.js's `MeshToonMaterial`, or MToon. */
 export function isToon(material: WrinkleMaterial): boolean {
   return 'gradientMap' in material || 'shadingToonyFactor' in material
 }
 
-/** Clones a material with its class's `clone`: the loader overrides the instance's own, so that copies wrinkle too. */
+/** Clones a material, but not its wrinkles. Calls `clone` of the class, because the loader's `material.clone` adds wrinkles to copies. */
 export function cloneByClass(material: WrinkleMaterial): WrinkleMaterial {
   return Object.getPrototypeOf(material).clone.call(material)
 }

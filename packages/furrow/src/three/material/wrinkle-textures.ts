@@ -1,22 +1,23 @@
 import { Vector4 } from 'three'
 import type { ArraySlice, Layer, LayerKind } from '../../core/types.ts'
-import { VALUE_KINDS, type ValueKind } from '../../runtime/layer-maps.ts'
+import { VALUE_KINDS, type ValueKind } from '../../runtime/maps/layer-maps.ts'
 import type { ArrayTexture, Upload } from './array-texture.ts'
 import { type LayerMaps, layerMaps } from './layer-textures.ts'
 import { valueTextures } from './value-textures.ts'
 
 export { type LayerMaps, VALUE_KINDS, type ValueKind }
 
-/** Textures of a set's layer maps, reference-counted because faces share them; see `retain` and `release`. */
+/** Textures with the layer maps of a wrinkle set. Several faces share them, so their users are counted; see `retain` and `release`. */
 export interface WrinkleTextures {
   readonly layers: Layer<ArraySlice>[]
   readonly kinds: readonly LayerKind[]
   readonly normals: LayerMaps
   readonly values: Readonly<Partial<Record<ValueKind, LayerMaps>>>
-  /** Normal scale, occlusion strength and blood amplitude per layer. Uniforms shared by all faces with these textures. */
+  /** Normal scale per layer. All faces with these textures share this uniform and the next three uniforms. */
   readonly normalScale: { value: Vector4 }
   readonly occlusionStrength: { value: Vector4 }
   readonly bloodAmplitude: { value: Vector4 }
+  readonly onsetStrength: { value: Vector4 }
   /** Incremented when maps or their strengths change. */
   version: number
   /** Uploads changed maps; set by `updateLayer`. */
@@ -26,8 +27,8 @@ export interface WrinkleTextures {
 /**
  * Creates the textures of a set's layers.
  *
- * @param layers layers whose images of each kind have one size.
- * @param anisotropy anisotropy of the base map.
+ * @param layers layers. All images of one kind must have the same size.
+ * @param anisotropy anisotropy of the material's normal map.
  * @throws FurrowError if maps of one kind are in several texture arrays.
  */
 export function createTextures(layers: readonly Layer<ArraySlice>[], anisotropy: number): WrinkleTextures {
@@ -41,6 +42,7 @@ export function createTextures(layers: readonly Layer<ArraySlice>[], anisotropy:
     normalScale: { value: perLayer(layers.map(({ normalScale }) => normalScale ?? 1)) },
     occlusionStrength: { value: perLayer(layers.map(({ occlusionStrength }) => occlusionStrength ?? 1)) },
     bloodAmplitude: { value: perLayer(layers.map(({ bloodAmplitude }) => bloodAmplitude ?? 0)) },
+    onsetStrength: { value: perLayer(layers.map(({ onsetStrength }) => onsetStrength ?? 1)) },
     version: 0,
   }
 }
@@ -49,7 +51,7 @@ function perLayer(numbers: readonly number[]): Vector4 {
   return new Vector4().fromArray([...numbers, 1, 1, 1])
 }
 
-/** Returns the distinct textures of a set's layers. */
+/** Returns each texture once, although several kinds of maps may share one texture. */
 export function listTextures({ normals, values }: WrinkleTextures): ArrayTexture[] {
   return [...new Set([normals, ...Object.values(values)].map(({ texture }) => texture))]
 }

@@ -3,25 +3,25 @@ import type { AnyRenderer } from '../renderer.ts'
 
 type Call = (renderer: AnyRenderer, camera: Camera, scene: Scene, drawn: object) => void
 
-/** `onBeforeRender` callbacks that are known to call no code of the page. */
+/** `onBeforeRender` callbacks that call only code of three.js and Furrow, and no callback of the page. */
 const ownCallbacks = new WeakSet<Mesh['onBeforeRender']>([Object3D.prototype.onBeforeRender])
 
-/** Registers a callback that replaces another one and adds no code of the page. */
 export function markReplacement(before: Mesh['onBeforeRender'], after: Mesh['onBeforeRender']): void {
   if (ownCallbacks.has(before)) ownCallbacks.add(after)
 }
 
-/** Whether the page has its own callback before a mesh is drawn. */
+/** Whether the page has set `onBeforeRender` of a mesh. That callback may still change the mesh's inputs before the mesh is drawn. */
 export function isPrepared({ onBeforeRender }: Mesh): boolean {
   return !ownCallbacks.has(onBeforeRender)
 }
 
 /**
- * Calls a function before a mesh, a scene, or any object with a material is drawn, after the existing `onBeforeRender`. Returns a function
- * that undoes this.
+ * Calls a function before each draw of a mesh or scene, or before each draw with a material. The existing `onBeforeRender` is called first.
+ *
+ * @returns a function that restores the existing `onBeforeRender`.
  */
 export function callBeforeRender(owner: Mesh | Scene | Material, prepare: Call): () => void {
-  // Materials get the same arguments as meshes, except the drawn object in place of the material.
+  // Materials have this callback too. As the argument `drawn`, three.js passes the material to a mesh, and the mesh to a material.
   const mesh = owner as Mesh
   const existing = Object.hasOwn(mesh, 'onBeforeRender') ? mesh.onBeforeRender : null
   // No rest parameter: it would allocate in every frame.

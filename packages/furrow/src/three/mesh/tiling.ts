@@ -2,20 +2,22 @@ import type { Material, Mesh, MeshStandardMaterial } from 'three'
 import { isTiledBy, type UvRanges, uvRanges } from '../../math/uv-ranges.ts'
 import { type AnyAttribute, componentOf } from '../sources/geometry-arrays.ts'
 
-/** Whether the shader of a face supports texture coordinates that wrap. */
+/**
+ * Tells whether the shader of a face must support tiled maps. A map is tiled if texture coordinates leave 0..1, so that neighbouring pixels
+ * may sample opposite edges of the map.
+ */
 export interface Tiling {
   readonly isTiled: boolean
-  /** Whether the shader supports another mesh of the face. */
+  /** Whether the shader can also draw another mesh: true if the shader supports tiled maps, or the mesh does not tile its map. */
   supportsMesh(mesh: Mesh): boolean
-  /** Whether the shader still supports all meshes, after the page changed the transform of the normal map. */
+  /** Whether the shader can still draw all meshes. The page may have changed the transform of the normal map. */
   isCurrent(): boolean
 }
 
 /**
- * Finds out whether texture coordinates wrap somewhere on a face.
+ * Finds out whether any mesh of a face tiles its normal map.
  *
- * @param meshes live list of the face's meshes.
- * @param material material with a normal map.
+ * @param meshes meshes of the face. The list may grow.
  */
 export function tilingOf(meshes: readonly Mesh[], material: Material): Tiling {
   const matrixOf = () => (material as MeshStandardMaterial).normalMap!.matrix
@@ -34,7 +36,7 @@ export function tilingOf(meshes: readonly Mesh[], material: Material): Tiling {
   }
 }
 
-/** Whether texture coordinates wrap somewhere on a mesh; see `isTiledBy`. */
+/** Whether a mesh tiles its normal map; see `isTiledBy`. */
 export function isTiled({ geometry }: Mesh, material: Material): boolean {
   const map = (material as MeshStandardMaterial).normalMap!
   if (map.matrixAutoUpdate) map.updateMatrix()
@@ -45,7 +47,7 @@ export function isTiled({ geometry }: Mesh, material: Material): boolean {
 
 const knownRanges = new WeakMap<AnyAttribute, UvRanges>()
 
-/** UV ranges of an attribute; cached, because the meshes of a crowd share it. */
+/** Returns the UV ranges of an attribute. Cached, because the meshes of a crowd share one attribute. */
 function rangesOf(attribute: AnyAttribute): UvRanges {
   const ranges =
     knownRanges.get(attribute) ?? uvRanges(attribute.count, (i, axis) => componentOf(attribute, i, axis))

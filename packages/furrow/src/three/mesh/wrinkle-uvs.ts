@@ -1,7 +1,8 @@
 import { type Material, type Mesh, type MeshStandardMaterial, Vector2 } from 'three'
 
 /**
- * Texture coordinates of areas and layers: those of the normal map, with its `KHR_texture_transform` applied.
+ * Computes the texture coordinates at which the maps of wrinkles are sampled. These are the coordinates of the normal map after its
+ * `KHR_texture_transform`; without a normal map, the first UV set.
  *
  * @returns packed uv per vertex.
  */

@@ -15,16 +15,18 @@ import { renderPreservingState } from '../atlas/render-preserving-state.ts'
 import type { AnyRenderer } from '../renderer.ts'
 import { copyNumbers } from '../sources/geometry-arrays.ts'
 
-/** Width of the coarse textures, texels. */
+/** Width in texels of the textures that `CoarsePass` draws. */
 export const COARSE_WIDTH = 512
 
-/** Renderer-specific parts of the coarse pass. */
+/** Renderer-specific functions of `CoarsePass`. */
 export interface CoarseParts {
   /**
-   * Creates a points material that writes each deformed vertex, in the mesh's local space, to one texel of two textures. Texture 0: xyz =
-   * position, w = next vertex at the same position. Texture 1: normal and tangent, octahedral-encoded (Z. Cigolle et al., "A Survey of
-   * Efficient Representations for Independent Unit Vectors", 2014), because some WebGPU devices cannot write three float textures at once.
+   * Creates a material for `Points` that writes each deformed vertex, in the mesh's local space, to the same texel of two textures. Texture 0
+   * holds the position (xyz). Its w holds the texel of another vertex at this position (see `ring`). Texture 1 holds the normal (xy) and the tangent (zw) in
+   * octahedral encoding (Z. Cigolle et al., "A Survey of Efficient Representations for Independent Unit Vectors", 2014). Without
+   * the encoding, a third texture would be needed, and some WebGPU devices cannot draw to three float textures at once.
    *
+   * @param ring texture that maps the texel of each vertex to the texel of the next vertex at the same position.
    * @param first texel of the geometry's first vertex.
    * @param rows height of the textures, texels.
    */
@@ -32,19 +34,22 @@ export interface CoarseParts {
   hasContents(renderer: AnyRenderer, target: RenderTarget): boolean
 }
 
-/** Renders the vertices of a face, deformed by three.js's blendshapes and skinning, into textures. */
+/**
+ * Renders the vertices of a face's meshes into textures, after three.js has deformed them by blendshapes and skinning. Shaders of relief read
+ * the textures to place the vertices of finer geometries, which have no blendshapes or skinning.
+ */
 export class CoarsePass {
   readonly target: RenderTarget
   readonly #parts: CoarseParts
   readonly #scene = new Scene()
   readonly #camera = new OrthographicCamera()
   readonly #poses: Pose[]
-  /** Renderer that has drawn the vertices into its textures. The page may create another renderer, e.g. after a device loss. */
+  /** Renderer that has drawn the textures. The page may create another renderer, e.g. after it has lost the GPU device. */
   #renderer: AnyRenderer | null = null
 
   /**
    * @param meshes meshes, each with the texel of its first vertex.
-   * @param ring next vertex at the same position, per texel.
+   * @param ring see `CoarseParts.coarseMaterial`.
    */
   constructor(meshes: readonly { mesh: Mesh; first: number }[], ring: Texture, parts: CoarseParts) {
     const { height: rows } = ring.image as { height: number }
@@ -64,7 +69,7 @@ export class CoarsePass {
     this.#poses = meshes.map(({ mesh }) => new Pose(mesh))
   }
 
-  /** Redraws the vertices if any may have moved. */
+  /** Redraws the textures if any vertex may have moved. */
   update(renderer: AnyRenderer): void {
     let changed = renderer !== this.#renderer || !this.#parts.hasContents(renderer, this.target)
     this.#renderer = renderer
@@ -80,7 +85,7 @@ export class CoarsePass {
   #draw(renderer: AnyRenderer): void {
     const points = this.#scene.children as Points[]
     const restore = points.map((object, i) => {
-      // RecomputedNormals replaces the geometry.
+      // `RecomputedNormals` may have replaced the geometry of the mesh.
       object.geometry = this.#poses[i].mesh.geometry
       return drawEachVertex(object.geometry)
     })
@@ -90,7 +95,8 @@ export class CoarsePass {
 }
 
 /**
- * Removes the index, so that each vertex is drawn once. Edits the geometry in place, because three.js caches its morph texture by geometry.
+ * Removes the index of a geometry, so that each vertex is drawn once. Changes the geometry itself, because three.js would create a second
+ * morph texture for a copy.
  *
  * @returns a function that restores the geometry.
  */
@@ -105,7 +111,7 @@ function drawEachVertex(geometry: BufferGeometry): () => void {
   }
 }
 
-/** Creates points that three.js deforms like the mesh. */
+/** Creates `Points` with the blendshapes and skeleton of a mesh. */
 function pointsOf(mesh: Mesh, material: Material): Points {
   const points = new Points(mesh.geometry, material)
   points.frustumCulled = false

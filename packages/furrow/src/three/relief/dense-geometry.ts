@@ -15,7 +15,7 @@ import type { DenseMesh } from '../../relief/dense-mesh.ts'
 import type { HeightField, Mask } from '../../relief/height-fields.ts'
 import { heightLevels } from '../../relief/height-levels.ts'
 import { neededHalvings } from '../../relief/needed-halvings.ts'
-import { outwardRoom } from '../../relief/outward-room.ts'
+import { outwardClearance } from '../../relief/outward-clearance.ts'
 import { SPLIT_DEFAULTS, splitMesh } from '../../relief/split-mesh.ts'
 import { firstVertices, MAX_LEVEL } from '../../relief/welded-edges.ts'
 import { wrinkleUvs } from '../mesh/wrinkle-uvs.ts'
@@ -23,40 +23,41 @@ import { coordinates, trianglesOf } from '../sources/geometry-arrays.ts'
 import { COARSE_WIDTH } from './coarse-pass.ts'
 
 /**
- * Where the surface may be displaced: the heights of the layers, or a mask of displaced texels if the heights are not in CPU memory. Null if
- * any texel may be displaced.
+ * Region of the surface that height maps may displace. It is given as the heights of the layers, or as a mask of texels if the heights are
+ * not in CPU memory. Null is the whole surface.
  */
 export type Raised = readonly HeightField[] | Mask | null
 
-/** Input of `splitGeometry`. */
 export interface SplitRequest {
   mesh: Mesh
-  /** Material whose triangles get relief, if the mesh has several materials. */
+  /** If the mesh has several materials, only the triangles of this material are split. */
   material: Material
   raised: Raised
-  /** Texel of the mesh's first vertex in the coarse textures. */
+  /** Texel of the mesh's first vertex in the textures of `CoarsePass`. */
   first: number
   /** Metres per unit of the mesh's positions. */
   metresPerUnit: number
-  /** Maximum displacement by heights, metres. */
+  /** Maximum displacement by height maps, metres. */
   reach: number
   /** Size of the height maps, texels. */
   map: { width: number; height: number }
 }
 
-/** Dense geometry of a mesh. */
+/** Dense geometry of a mesh: its triangles, split into small triangles that height maps can displace. */
 export interface Split {
   /** Geometry with one group per level of detail, finest first. */
   geometry: BufferGeometry
-  /** See `DenseMesh`. */
+  /** Target edge length, metres. */
   edge: number
-  /** Next vertex at the same position, per vertex; cyclic. */
+  /** For each vertex of the mesh, the next vertex at the same position. The last vertex at a position is followed by the first. */
   next: Uint32Array
 }
 
 /**
- * Splits a mesh into the geometry of its relief. Interpolates the mesh's attributes. Shaders read deformed positions and normals from the
- * coarse textures, with `furrowParents`, `furrowCorners` and `furrowWeights`.
+ * Splits the wrinkled triangles of a mesh into small triangles, and interpolates the mesh's attributes for the new vertices. Shaders find the
+ * deformed vertices of the original triangle by the attributes `furrowParents`, `furrowCorners` and `furrowWeights`; see `DenseMesh`. The
+ * attribute `furrowClearance` is the maximum displacement outwards, in metres; see `outwardClearance`. The attribute `furrowLevel` is the
+ * mipmap level of the height map to sample.
  */
 export function* splitGeometry(request: SplitRequest): Generator<void, Split> {
   const { mesh, material, raised, first, metresPerUnit, reach, map } = request
@@ -74,9 +75,9 @@ export function* splitGeometry(request: SplitRequest): Generator<void, Split> {
   yield
   const dense = yield* splitMesh(coarse, halvings, { coarser })
   yield
-  const room = yield* outwardRoom(coarse, normals, firstOf, reach)
+  const clearance = yield* outwardClearance(coarse, normals, firstOf, reach)
   yield
-  const attributes = { furrowRoom: mixParents(dense, room), furrowLevel: mixParents(dense, levels) }
+  const attributes = { furrowClearance: mixParents(dense, clearance), furrowLevel: mixParents(dense, levels) }
   yield
   const split = yield* denseGeometry(geometry, dense, first, attributes)
   yield
@@ -94,7 +95,7 @@ function* halvingsFor(
   return [new Float32Array(coarse.triangles.length).fill(MAX_LEVEL)]
 }
 
-/** Creates the texture of `next` indices of all meshes, offset by the first texel of each mesh. */
+/** Creates the texture `ring` of `CoarsePass`. It maps the texel of each vertex to the texel of the next vertex at the same position. */
 export function ringTexture(splits: readonly { next: Uint32Array; first: number }[]): DataTexture {
   const count = splits.reduce((sum, { next }) => sum + next.length, 0)
   const rows = Math.ceil(count / COARSE_WIDTH)
@@ -106,7 +107,6 @@ export function ringTexture(splits: readonly { next: Uint32Array; first: number 
   return texture
 }
 
-/** Triangles of a mesh that use a material. */
 function drawnTriangles(mesh: Mesh, material: Material): ArrayLike<number> {
   const all = trianglesOf(mesh.geometry)
   const { material: materials, geometry } = mesh
@@ -128,7 +128,7 @@ function ringOf(firstOf: Uint32Array): Uint32Array {
   return next
 }
 
-/** Interpolates a number per vertex from its parents; equal on both sides of a seam. */
+/** Interpolates numbers from the vertices of the mesh to the dense vertices. Dense vertices at one position get equal numbers. */
 function mixParents({ count, parents, weights }: DenseMesh, values: Float32Array): Float32Array {
   const out = new Float32Array(count)
   for (let i = 0; i < count; i++) {
@@ -137,10 +137,10 @@ function mixParents({ count, parents, weights }: DenseMesh, values: Float32Array
   return out
 }
 
-/** Attributes needed only to deform the coarse mesh. */
+/** Attributes that dense geometries do not need, because their shaders read deformed vertices from textures. */
 const DEFORMING = ['skinIndex', 'skinWeight']
 
-/** @param perVertex attributes with one float per vertex. */
+/** @param perVertex attributes with one float per vertex, by name. */
 function* denseGeometry(
   { attributes }: BufferGeometry,
   dense: DenseMesh,
@@ -168,7 +168,7 @@ function* denseGeometry(
   return geometry
 }
 
-/** Concatenates levels of detail in one index, with one group each. */
+/** Sets an index that contains the triangles of all levels of detail, with one group per level. */
 function addVersions(geometry: BufferGeometry, versions: readonly Uint32Array[]): void {
   const index = new Uint32Array(versions.reduce((sum, { length }) => sum + length, 0))
   let start = 0
@@ -180,7 +180,7 @@ function addVersions(geometry: BufferGeometry, versions: readonly Uint32Array[])
   geometry.setIndex(new BufferAttribute(index, 1))
 }
 
-/** Adds float attributes in one interleaved buffer: WebGPU guarantees only eight vertex buffers. */
+/** Adds float attributes in one interleaved buffer, because WebGPU guarantees only eight vertex buffers. */
 function addInterleaved(
   geometry: BufferGeometry,
   count: number,

@@ -7,30 +7,30 @@ import { type ArrayTexture, arrayOf } from '../material/array-texture.ts'
 import { mapTexture } from '../material/textures.ts'
 import { hasHeights, type RaisedLayer } from './raised-layer.ts'
 
-/** Height maps of a set's layers. */
+/** The height maps of a wrinkle set's layers in one texture array. */
 export interface HeightMaps {
   texture: ArrayTexture
   /** CPU copy of the texture; null if it is compressed. */
   array: ImageArray | null
   /** Channel of the texture, 0 = R to 3 = A. */
   channel: number
-  /** Layers with heights. */
   layers: readonly HeightLayer[]
-  /** Maximum outward displacement, all layers together, metres. */
+  /** Maximum displacement by all layers together, metres. */
   reach: number
   /** Disposes of the texture, unless it belongs to the wrinkle set. */
   dispose(): void
 }
 
+/** Location of a layer's height map. */
 export interface HeightLayer {
   layer: number
   slice: number
-  /** Displacement from black to white, metres. */
+  /** Difference in displacement between black and white texels, metres. */
   amplitude: number
 }
 
 /**
- * Creates the height texture of the layers. Decodes heights that the file has deferred.
+ * Creates the texture array of the layers' height maps. Decodes height maps that are not decoded yet.
  *
  * @throws FurrowError if maps cannot be read, differ in size, or are in several texture arrays.
  */
@@ -59,11 +59,11 @@ export async function createHeightMaps(layers: readonly RaisedLayer[]): Promise<
   }
 }
 
-/** Maximum displacement relative to a mesh's radius. Larger values indicate wrong units. */
+/** Maximum displacement, relative to the radius of the mesh's bounding sphere. Larger displacements indicate wrong units. */
 const MAX_REACH = 0.05
 
 /**
- * Checks heights against the size of a mesh.
+ * Checks that the displacement by height maps is plausible for the size of a mesh.
  *
  * @param radius radius of the mesh's bounding sphere, metres.
  * @throws FurrowError if the heights are too large.
@@ -74,7 +74,7 @@ export function checkReach({ reach }: HeightMaps, radius: number): void {
   throw new FurrowError({
     code: 'out-of-range',
     who: 'Wrinkles.relief',
-    problem: 'the heights of the layers reach too far',
+    problem: 'the height maps displace the surface too far',
     value: `${reach} m`,
     limit: `${limit.toPrecision(2)} m for a mesh of this size`,
     remedy: 'set heightAmplitude in metres',

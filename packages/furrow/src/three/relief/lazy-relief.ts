@@ -5,14 +5,14 @@ import type { RaisedFace } from './raised-face.ts'
 import { hasHeights } from './raised-layer.ts'
 import type { CreateRelief, ReliefControl } from './relief-control.ts'
 
-/** Relief of a face. Imports the relief chunk on first use, if any layer has heights. */
+/** Relief of a face: displacement of its surface by height maps. Downloads the code for relief on first use, if a layer has a height map. */
 export class LazyRelief {
   readonly #face: RaisedFace
   readonly #load: () => Promise<CreateRelief>
   #mode: ReliefMode = 'off'
   #control: ReliefControl | null = null
 
-  /** @param load imports the relief chunk. */
+  /** @param load downloads the code for relief. */
   constructor(face: RaisedFace, load: () => Promise<CreateRelief>) {
     this.#face = face
     this.#load = load
@@ -31,28 +31,27 @@ export class LazyRelief {
     else if (mode !== 'off') this.#fetch().catch(({ message }) => console.warn(message))
   }
 
-  /** Whether dense geometries are drawn. */
+  /** Whether the face is drawn with relief. */
   get isShown(): boolean {
     return this.#control?.isShown ?? false
   }
 
-  /** Splits the triangles now. Resolves when relief can be drawn. */
+  /** Prepares relief now instead of on first use. Resolves when relief can be drawn. */
   async ready(): Promise<void> {
     this.#face.checkInUse('reliefReady')
     await (await this.#fetch())?.ready()
   }
 
-  /** Called after a mode change, so that the next frame already has relief. */
+  /** Called after a change of the shading mode, so that the next frame already has relief. */
   resume(): void {
     this.#control?.resume()
   }
 
-  /** Called before a mesh is drawn. */
   prepare(renderer: AnyRenderer, camera: Camera, mesh: Mesh): void {
     this.#control?.prepare(renderer, camera, mesh)
   }
 
-  /** Frees the relief. Later frames recreate it. */
+  /** Frees the resources of relief. Later frames create them again. */
   suspend(): void {
     this.#control?.suspend()
   }

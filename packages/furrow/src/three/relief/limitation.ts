@@ -4,10 +4,10 @@ import { MAX_TRIANGLES } from '../../relief/max-triangles.ts'
 import { instancesOf } from '../mesh/instances.ts'
 import { releaseOf } from '../three-version.ts'
 
-/** Oldest three.js release whose `RenderTarget` supports several textures. */
+/** Oldest three.js release whose `RenderTarget` supports several textures, which relief needs. */
 const OLDEST_THREE_WITH_RELIEF = 162
 
-/** Returns why relief is unsupported for a valid mesh, or null. */
+/** Returns the reason why relief, i.e. displacement by height maps, is unsupported for a mesh; null if it is supported. */
 export function limitationOf(mesh: Mesh): FurrowError | null {
   const { index, attributes } = mesh.geometry
   const count = Math.floor((index ?? attributes.position).count / 3)

@@ -1,8 +1,8 @@
 import type { Material, Mesh } from 'three'
 
 /**
- * Returns the materials that draw the outline of a surface: three-vrm adds them to the mesh's materials and groups for MToon
- * (`VRMC_materials_mtoon`).
+ * Returns the materials of a mesh that draw the outline of a surface. For MToon (`VRMC_materials_mtoon`), three-vrm adds an outline material to
+ * the mesh, and a geometry group with the same triangles as the surface.
  */
 export function outlinesOf(mesh: Mesh, surface: Material): Material[] {
   const materials = [mesh.material].flat()
@@ -12,7 +12,6 @@ export function outlinesOf(mesh: Mesh, surface: Material): Material[] {
   )
 }
 
-/** Key of the triangle ranges that use a material. */
 function rangesOf({ geometry }: Mesh, index: number): string {
   const groups = geometry.groups.filter(({ materialIndex = 0 }) => materialIndex === index)
   return groups.map(({ start, count }) => `${start} ${count}`).join()

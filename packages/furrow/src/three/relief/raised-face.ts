@@ -5,7 +5,7 @@ import type { MeshPlace } from '../mesh/mesh-place.ts'
 import type { WrinkleMode } from '../options.ts'
 import type { AnyRenderer } from '../renderer.ts'
 
-/** Part of a face that relief needs. */
+/** Properties of a face that relief needs. Relief displaces the surface by height maps. */
 export interface RaisedFace {
   readonly isDisposed: boolean
   readonly mode: WrinkleMode
@@ -13,12 +13,11 @@ export interface RaisedFace {
   readonly meshes: readonly Mesh[]
   /** One face per instance. */
   readonly faces: readonly Face[]
-  /** Place of the mesh when the wrinkles were added. */
+  /** World matrices of the mesh when the wrinkles were added. */
   readonly place: MeshPlace
   readonly material: {
-    /** Wrinkled material. */
     readonly material: Material
-    /** Sets the patch that draws relief; null for none. */
+    /** Sets the patch that draws relief; null removes it. */
     setRelief(patch: ((material: Material) => () => void) | null): void
   }
   readonly shaderInputs: ShaderInputs

@@ -12,19 +12,22 @@ import { hasHeights } from './raised-layer.ts'
 import { Relief, type ReliefHost } from './relief.ts'
 import type { ReliefParts } from './relief-parts.ts'
 
-/** In the mode `near`, relief begins at the first number of pixels per millimetre. It grows to full strength at the second, to avoid popping. */
+/** In the mode `near`, relief begins at the first number of pixels per millimetre of skin, and has full strength at the second. */
 const SIZES = [1, 1.5] as const
 
-/** Largest activation of a face at which relief in the mode `near` is full. Faces at rest have no relief. */
+/** In the mode `near`, relief grows with the largest activation of the face until that activation reaches this value. */
 const FULL_ACTIVATION = 0.1
 
-/** Consecutive draws without visible relief before the original meshes are drawn again. Cameras may alternate. */
+/** Number of consecutive draws without relief before the original meshes are drawn again. Not 1, because a near and a far camera may alternate. */
 const MAX_UNSEEN = 60
 
 /** Creates the relief of a face for one kind of renderer. */
 export type CreateRelief = (face: RaisedFace, mode: ReliefMode) => ReliefControl
 
-/** Decides when a face is drawn with relief. Splits its meshes on first use. */
+/**
+ * Decides when a face is drawn with relief, which displaces its surface by height maps. Relief needs dense geometries, in which the triangles
+ * of the meshes are split. The dense geometries are created on first use, and drawn in place of the meshes.
+ */
 export class ReliefControl {
   #mode: ReliefMode
   readonly #face: RaisedFace
@@ -32,16 +35,16 @@ export class ReliefControl {
   readonly #units: MeshUnits
   #relief: Relief | null = null
   #making: Promise<void> | null = null
-  /** Areas that the current split is for. */
+  /** Areas for which the meshes were split. */
   #areas: AreaArray | null = null
   #version = 0
-  /** Geometries that were split; the page may replace them. */
+  /** Geometries that were split. The page may replace the geometry of a mesh later. */
   #geometries: BufferGeometry[] = []
   /** Whether the dense geometries are drawn. */
   isShown = false
   #isPossible: boolean
   #isDisposed = false
-  /** Reason why a valid file has no relief, or coarser relief. */
+  /** Reason why a valid mesh has no relief, or has larger triangles than intended. */
   #limitation: Error | null = null
   /** Consecutive draws without visible relief. */
   #unseen = 0
@@ -61,22 +64,21 @@ export class ReliefControl {
   set mode(mode: ReliefMode) {
     this.#mode = mode
     this.#warnOfLimitation()
-    // `near` is decided in the next frame.
+    // In the mode `near`, the next call of `prepare` shows or hides relief.
     if (mode !== 'near') this.#show(mode === 'on')
   }
 
-  /** Splits the meshes, and shows relief if the mode is `on`. */
+  /** Creates the dense geometries, and shows relief if the mode is `on`. */
   async ready(): Promise<void> {
     await this.#make()
     if (this.mode === 'on') this.#show(true)
   }
 
-  /** Called after a mode change, so that the next frame already has relief. */
+  /** Called after a change of the shading mode, so that the next frame already has relief. */
   resume(): void {
     if (this.#relief && !this.#isOutdated && this.#amountAt(this.#relief.pixelsPerMetre) > 0) this.#show(true)
   }
 
-  /** Called before a mesh is drawn. */
   prepare(renderer: AnyRenderer, camera: Camera, mesh: Mesh): void {
     if (!this.#isPossible || (this.mode === 'off' && !this.#relief)) return
     const pixelsPerMetre = pixelsPerUnit(mesh, camera, renderer) / this.#units.atRest
@@ -95,7 +97,7 @@ export class ReliefControl {
     if (!this.isShown || this.#isOutdated) this.#begin()
   }
 
-  /** Frees the relief. Later frames recreate it. Must not be called during a frame. */
+  /** Frees the dense geometries. Later frames create them again. Must not be called during a frame. */
   suspend(): void {
     this.#drop()
     this.#geometries = []
@@ -122,7 +124,7 @@ export class ReliefControl {
     return bySize && bySize * Math.min(largestActivation(this.#face.faces) / FULL_ACTIVATION, 1)
   }
 
-  /** Starts after the current frame, whose render lists already exist. */
+  /** Shows relief from the next frame on. The current frame cannot show it, because the render lists of the frame already exist. */
   #begin(): void {
     queueMicrotask(() => this.#make().then(() => this.#show(this.#unseen === 0 && this.mode !== 'off')))
   }
@@ -164,7 +166,7 @@ export class ReliefControl {
     }
   }
 
-  /** Turns relief off because of a limitation. */
+  /** Turns relief off, because a mesh or shader does not support it. */
   #limit(limitation: Error): void {
     if (!this.#isPossible) return
     this.#end()
@@ -172,12 +174,12 @@ export class ReliefControl {
     this.#warnOfLimitation()
   }
 
-  /** Warns only if the page asked for relief. */
+  /** Warns of a limitation if the mode is `on`, i.e. if the page explicitly requested relief. */
   #warnOfLimitation(): void {
     if (this.#limitation && this.mode === 'on') this.#warn(this.#limitation)
   }
 
-  /** Warns once per error: several faces may share heights. */
+  /** Warns once per error, because several faces may share the height maps that caused it. */
   #warn(error: Error): void {
     if (warned.has(error)) return
     warned.add(error)
@@ -186,7 +188,7 @@ export class ReliefControl {
     )
   }
 
-  /** Turns relief off for good, from the next frame on. */
+  /** Turns relief off permanently, from the next frame on. */
   #end(): void {
     this.#isPossible = false
     queueMicrotask(() => {
@@ -213,7 +215,6 @@ export class ReliefControl {
   }
 }
 
-/** Largest activation of all areas of all faces. */
 function largestActivation(faces: readonly Face[]): number {
   let largest = 0
   for (const { activations, slots } of faces) {

@@ -1,20 +1,20 @@
 import { type BufferGeometry, InstancedMesh, type Material, Mesh, Object3D } from 'three'
 
-/** Mesh with the dense geometry, drawn in place of its parent, whose render settings it copies. */
+/** Child of a mesh. It is drawn in place of the mesh, with smaller triangles, so that height maps can displace the surface. */
 export type ReliefMesh = Mesh & { readonly isReliefMesh: true }
 
-/** Creates the relief mesh for one material of a mesh, without adding it as a child. */
+/** Creates the relief mesh for one material of a mesh. The caller adds it to the mesh. */
 export function createReliefMesh(mesh: Mesh, geometry: BufferGeometry, material: Material): ReliefMesh {
   const { isInstancedMesh, count, instanceMatrix, instanceColor } = mesh as InstancedMesh
   const relief: Mesh = isInstancedMesh
     ? Object.assign(new InstancedMesh(geometry, material, 0), { count, instanceMatrix, instanceColor })
     : new Mesh(geometry, material)
   relief.name = `${mesh.name} relief`
-  // Raycasts and bounds use the user's mesh.
+  // Raycasts hit the original mesh.
   relief.raycast = () => {}
-  // Clones of the mesh get their own relief.
+  // A clone of the original mesh creates its own relief mesh, so this one must not be cloned.
   relief.clone = () => new Object3D() as never
-  // Bones may scale quantised positions, and the relief has no bones.
+  // The bounds of the geometry would be wrong if bones scale quantised positions, because the relief mesh has no bones.
   Object.defineProperty(relief, 'boundingSphere', { get: () => boundingSphereOf(mesh) })
   Object.defineProperty(relief, 'boundingBox', { get: () => boundingBoxOf(mesh) })
   relief.getVertexPosition = (index, target) =>
@@ -22,7 +22,7 @@ export function createReliefMesh(mesh: Mesh, geometry: BufferGeometry, material:
   return Object.assign(relief, { isReliefMesh: true } as const)
 }
 
-/** Copies the render settings of the mesh. */
+/** Copies render settings of the original mesh, which the page may change in each frame. */
 export function followMesh(relief: ReliefMesh, mesh: Mesh): void {
   relief.castShadow = mesh.castShadow
   relief.receiveShadow = mesh.receiveShadow

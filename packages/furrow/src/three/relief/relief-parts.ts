@@ -6,9 +6,12 @@ import type { CoarseParts } from './coarse-pass.ts'
 import type { ReliefInputs } from './relief-inputs.ts'
 import type { ReliefMesh } from './relief-mesh.ts'
 
-/** Renderer-specific parts of relief. */
+/**
+ * Renderer-specific functions of relief. Relief displaces the surface of dense geometries by height maps. A dense geometry is a
+ * copy of a mesh's geometry whose triangles are split.
+ */
 export interface ReliefParts extends CoarseParts {
-  /** Patches a material to displace dense geometries; other geometries are unaffected. Returns a function that undoes the patch. */
+  /** Patches a material to displace dense geometries. Other geometries stay unchanged. Returns a function that removes the patch. */
   patch(material: Material, relief: ReliefInputs, inputs: ShaderInputs, instances: Instances): () => void
   /** Adds the shadow materials that a relief mesh needs, if any. Returns a function that disposes of them. */
   addShadowMaterials(
@@ -19,8 +22,8 @@ export interface ReliefParts extends CoarseParts {
     instances: Instances,
   ): () => void
   /**
-   * Clones an outline material so that it draws the outline of a dense geometry. The clone follows changes of the original's width and
-   * colour. Returns null if unsupported.
+   * Clones an outline material, and patches the clone to draw the outline of a dense geometry. When the page changes the width or colour of
+   * the original outline, the clone changes too. Returns null if unsupported.
    */
   outlineMaterial(
     outline: Material,
@@ -28,6 +31,6 @@ export interface ReliefParts extends CoarseParts {
     inputs: ShaderInputs,
     instances: Instances,
   ): Material | null
-  /** Runs a function that draws to another target while a shadow is being drawn. */
+  /** Calls `draw` in the middle of a shadow pass of three.js. `draw` draws to another render target. */
   duringShadow(renderer: AnyRenderer, draw: () => void): void
 }

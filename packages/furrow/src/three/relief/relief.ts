@@ -17,24 +17,27 @@ import type { ReliefParts } from './relief-parts.ts'
 import { inSlices } from './slices.ts'
 import { StandIn } from './stand-in.ts'
 
-/** Face that the relief belongs to. */
+/** Face of a `Relief`, with its units and a callback. */
 export interface ReliefHost {
   readonly face: RaisedFace
   readonly units: MeshUnits
-  /** Called during a frame if a shader does not support relief, which must then be dropped. */
+  /** Called during a frame if a shader cannot be patched. Relief must then be turned off. */
   refuse(error: unknown): void
 }
 
-/** Dense geometry of one mesh, and the texel of its first vertex in the coarse textures. */
+/** Dense geometry of one mesh, and the texel of the mesh's first vertex in the textures of `CoarsePass`. */
 type MeshSplit = Split & { mesh: Mesh; first: number }
 
-/** Relief of one face: dense geometries drawn in place of its meshes. */
+/**
+ * Relief of one face. Relief displaces the surface by height maps, and needs dense geometries, in which the triangles of the meshes are split.
+ * Children of the meshes draw the dense geometries in place of the meshes.
+ */
 export class Relief {
-  /** Uniform: 0 = no relief, 1 = full relief. */
+  /** Uniform with the strength of the displacement: 0 = none, 1 = full. */
   readonly amount = { value: 0 }
   /** Pixels per metre in the current picture. */
   pixelsPerMetre = Infinity
-  /** Reason why the relief is coarser than intended, or null. */
+  /** Reason why the triangles are larger than intended, or null. */
   readonly limitation: FurrowError | null
   readonly #host: ReliefHost
   readonly #parts: ReliefParts
@@ -73,10 +76,10 @@ export class Relief {
   }
 
   /**
-   * Splits the meshes of a face, in time slices.
+   * Splits the meshes of a face, in time slices, so that the page stays responsive.
    *
-   * @param isWanted polled between slices; if false, the work stops and the result is null.
-   * @throws FurrowError if the meshes or heights are invalid.
+   * @param isWanted called between slices; if it returns false, the work stops and the result is null.
+   * @throws FurrowError if the meshes or height maps are invalid.
    */
   static async create(host: ReliefHost, parts: ReliefParts, isWanted: () => boolean): Promise<Relief | null> {
     const { face, units } = host
@@ -107,7 +110,6 @@ export class Relief {
     return null
   }
 
-  /** Patches the material to draw relief; see `ReliefParts.patch`. */
   patch(material: Material): () => void {
     const { mesh, shaderInputs } = this.#host.face
     return this.#parts.patch(material, this.#inputs, shaderInputs, instancesOf(mesh))
@@ -115,7 +117,7 @@ export class Relief {
 
   /** Switches between the dense geometries and the original meshes. Must not be called during a frame. */
   show(isShown: boolean): void {
-    // Stand-ins of one mesh wrap each other's hooks, and must unhook in reverse order.
+    // Each `StandIn` of a mesh wraps the callbacks of the previous one, so the callbacks must be removed in reverse order.
     for (const standIn of isShown ? this.#standIns : this.#standIns.toReversed()) standIn.show(isShown)
   }
 
@@ -132,7 +134,7 @@ export class Relief {
     this.#heights.dispose()
   }
 
-  /** Creates the stand-ins for a mesh's surface and outlines. */
+  /** Creates the objects that draw the dense geometry with the material of the surface and with its outline materials. */
   #standInsOf(split: MeshSplit): StandIn[] {
     const { shaderInputs } = this.#host.face
     const { material } = this.#host.face.material
@@ -148,8 +150,8 @@ export class Relief {
   }
 
   /**
-   * @param material material of the mesh.
-   * @param drawn material that draws the dense geometry.
+   * @param material material whose triangles in the mesh are replaced.
+   * @param drawn material that draws the dense geometry instead.
    */
   #standInOf({ mesh, geometry }: MeshSplit, material: Material, drawn: Material): StandIn {
     const { face } = this.#host
@@ -170,10 +172,10 @@ export class Relief {
   }
 }
 
-/** Maximum error of a level of detail, pixels. Below half a pixel, so that two levels differ by less than one pixel. */
+/** Maximum error of a level of detail, pixels. It is below half a pixel, so that two levels differ by less than one pixel. */
 const MAX_PIXELS = 0.45
 
-/** Index of the coarsest sufficient level of detail. Small triangles are expensive, see bench/README.md. */
+/** Returns the index of the coarsest level of detail with a sufficiently small error. Small triangles are expensive, see bench/README.md. */
 function versionFor(pixelsPerMetre: number): number {
   const tooCoarse = TOLERANCES.findIndex((tolerance) => tolerance * pixelsPerMetre > MAX_PIXELS)
   return tooCoarse < 0 ? TOLERANCES.length - 1 : Math.max(tooCoarse - 1, 0)
@@ -192,7 +194,7 @@ function checkPositions(mesh: Mesh): void {
 function raisedBy({ areas }: ShaderInputs, { array, layers }: HeightMaps): Raised {
   const { texture, slots, channels, width, height } = areas
   const { data, depth } = texture.image as { data?: Uint8Array; depth: number }
-  // Compressed areas have no texels in CPU memory.
+  // The texels of compressed areas are not in CPU memory.
   const weights = channels === 1 && data ? { data, width, height, depth, channels } : null
   const raised = layers.map((raisedLayer) => ({
     ...raisedLayer,
@@ -208,7 +210,7 @@ function radiusOf({ geometry }: Mesh): number {
   return (geometry.boundingSphere as Sphere).radius
 }
 
-/** Returns the limitation of the first mesh whose edges are longer than intended, because of the triangle budget. */
+/** Returns an error if the maximum number of triangles makes the edges of a mesh longer than intended, otherwise null. */
 function longEdges(splits: readonly MeshSplit[]): FurrowError | null {
   const long = splits.find(({ edge }) => edge > SPLIT_DEFAULTS.edge)
   if (!long) return null
@@ -216,7 +218,7 @@ function longEdges(splits: readonly MeshSplit[]): FurrowError | null {
   return new FurrowError({
     code: 'out-of-range',
     who: `Wrinkles.relief of mesh "${long.mesh.name}"`,
-    problem: `more than ${SPLIT_DEFAULTS.budget} triangles needed, so their edges are longer`,
+    problem: `relief would need more than ${SPLIT_DEFAULTS.budget} triangles, so the edges of its triangles are longer`,
     value: millimetres(long.edge),
     limit: millimetres(SPLIT_DEFAULTS.edge),
     remedy: 'use fewer areas on layers with heights',

@@ -1,13 +1,13 @@
 import { nextTask } from '../../runtime/next-task.ts'
 
-/** Length of a time slice, milliseconds: half a frame. */
+/** Duration of a time slice, milliseconds: half of a frame at 60 frames per second. */
 const SLICE = 8
 
 /**
  * Runs a generator in time slices, so that the page stays responsive.
  *
- * @param isWanted polled after each pause.
- * @returns the generator's result; null if stopped because `isWanted` returned false.
+ * @param isWanted called after each pause; if it returns false, the generator is not continued.
+ * @returns the result of the generator; null if it was not continued.
  */
 export async function inSlices<T>(steps: Generator<void, T>, isWanted: () => boolean): Promise<T | null> {
   let started = performance.now()

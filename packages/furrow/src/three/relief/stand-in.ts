@@ -3,26 +3,26 @@ import { markReplacement } from '../mesh/before-render.ts'
 import type { AnyRenderer } from '../renderer.ts'
 import { followMesh, type ReliefMesh } from './relief-mesh.ts'
 
-/** Vertex count that draws nothing: less than a triangle, but not 0, which triggers a WebGPU warning. */
+/** Vertex count of a draw range that draws nothing. A single vertex makes no triangle. A count of 0 would cause a warning of WebGPU. */
 const NO_VERTICES = 1
 
-/** Part of a face that a stand-in needs. */
+/** Functions and properties of a face that a `StandIn` needs. */
 export interface StandInHost {
-  /** Material of the mesh that the stand-in replaces. */
+  /** Material whose triangles the stand-in replaces. */
   readonly material: Material
-  /** Whether wrinkles are shown. */
   isOn(): boolean
-  /** Runs the phases of a frame, before a mesh is drawn. */
+  /** Prepares the wrinkles for the frame. Called before the dense geometry is drawn. */
   prepare(renderer: AnyRenderer, camera: Camera, mesh: Mesh): void
-  /** Updates the deformed vertices of the mesh. */
+  /** Updates the textures with the deformed vertices of the mesh. */
   deform(renderer: AnyRenderer, isShadow: boolean): void
   /** Level of detail to draw: index of a group of the dense geometry. */
   version(): number
 }
 
 /**
- * Draws a dense geometry in place of a mesh with one of its materials. The mesh stays in the scene and hides itself through its draw
- * range, which both renderers read after `onBeforeRender` and `onBeforeShadow`.
+ * Draws a dense geometry, i.e. a geometry with split triangles, in place of the triangles of a mesh that have a certain material. The mesh stays
+ * in the scene. Its callbacks `onBeforeRender` and `onBeforeShadow` set an empty draw range. The renderers of three.js read the draw range
+ * after the callbacks.
  */
 export class StandIn {
   readonly #mesh: Mesh
@@ -34,7 +34,7 @@ export class StandIn {
     this.#mesh = mesh
     this.#dense = dense
     this.#host = host
-    // Shared, because pages that update matrices themselves do not know the child.
+    // The dense mesh shares the matrix of its parent, so that it also follows a page that updates matrices itself.
     dense.matrixWorld = mesh.matrixWorld
     this.#hookDense()
   }
@@ -43,7 +43,7 @@ export class StandIn {
     return this.#unhook !== null
   }
 
-  /** Shows or hides the dense geometry. Must not be called during a frame, whose render lists already exist. */
+  /** Shows or hides the dense geometry. Must not be called during a frame, because the render lists of the frame already exist. */
   show(isShown: boolean): void {
     if (isShown === this.isShown) return
     if (isShown) {
@@ -62,7 +62,9 @@ export class StandIn {
     followMesh(this.#dense, this.#mesh)
   }
 
-  /** Whether the dense geometry replaces the mesh for a material. Passes with override materials draw the mesh. */
+  /**
+   * Whether a draw call with this material shows the dense geometry instead of the mesh. With an override material, the mesh itself is drawn.
+   */
   #isDrawnWith(material: Material): boolean {
     return material === this.#host.material && this.#isInUse
   }
@@ -127,7 +129,7 @@ export class StandIn {
   }
 }
 
-/** Hides a geometry during one draw. */
+/** Hides a geometry for the duration of one draw: sets an empty draw range. */
 class HiddenRange {
   #geometry: BufferGeometry | null = null
   #start = 0

@@ -5,7 +5,7 @@ import { bindJoints } from './joint.ts'
 import { bindTargets, type InputOptions } from './target.ts'
 import type { BindTension, DrivenFace } from './tension.ts'
 
-/** Binds the inputs of drivers to a face's mesh. */
+/** Creates the readers of driver inputs on the mesh of a face: blendshape weights, joints and skin tension. */
 export function bindInputs(
   face: DrivenFace,
   { target, joint, tension }: DriverPlan['inputs'],

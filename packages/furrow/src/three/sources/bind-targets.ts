@@ -4,7 +4,7 @@ import { targetFinder } from '../../drivers/morph/target-names.ts'
 import { noTargets, type TargetBinding } from '../../runtime/target-binding.ts'
 
 /**
- * Finds morph targets by name, in any spelling that `findTargets` knows, on all meshes under an object.
+ * Finds morph targets by name on all meshes under an object. Accepts other spellings of a name, see `findTargets`.
  *
  * @throws FurrowError if no mesh has morph targets, or `face` is not an Object3D.
  */

@@ -5,17 +5,17 @@ import { type ReadWeights, targetNames, weightReader } from './morph.ts'
 import type { MeshTargets } from './target.ts'
 
 /**
- * Reads the weights of a VRM face's original blendshapes, even after three-vrm's `VRMUtils.combineMorphs`. That call replaces all
- * blendshapes by one per expression, named like the expression. The file's expression binds give the original weights. Pages may combine
- * before the first frame, and before automatic wrinkles are done.
+ * Creates readers of a VRM face's original blendshape weights. Drivers refer to the blendshapes in the file, but the page may call three-vrm's
+ * `VRMUtils.combineMorphs` at any time. `combineMorphs` replaces the blendshapes of a mesh by one blendshape per expression, named like the
+ * expression. The readers then compute the original weights from the binds of the expressions in the file.
  *
  * @param json JSON of the file.
- * @param index index of the face's mesh.
+ * @param index index of the face's mesh in the file.
  */
 export function combinableTargets(json: GLTFParser['json'], index: number): (mesh: Mesh) => MeshTargets {
   const written = writtenNames(json.meshes[index])
   const binds = expressionBinds(json, index)
-  /** Links from the current blendshapes of a mesh to `names`. */
+  /** Returns how the weights of a mesh's current blendshapes contribute to the weights of the blendshapes in `names`. */
   const linksOf = (current: readonly string[], names: readonly string[]): Link[] => {
     const isUnchanged = current.length === written.length && current.every((name, i) => name === written[i])
     const isCombined = !isUnchanged && current.every((name) => binds.has(name))
@@ -23,7 +23,7 @@ export function combinableTargets(json: GLTFParser['json'], index: number): (mes
       const to = names.indexOf(name)
       const moved = (isCombined && binds.get(name)) || []
       const links = moved.map(({ index, weight }) => ({ from, to: names.indexOf(written[index]), weight }))
-      // An expression may share its name with a blendshape of the file, and move others too.
+      // If a combined expression has the name of an original blendshape, the name means the expression.
       if (!isCombined || !written.includes(name)) links.push({ from, to, weight: 1 })
       return links.filter(({ to }) => to >= 0)
     })
@@ -55,7 +55,7 @@ export function combinableTargets(json: GLTFParser['json'], index: number): (mes
   }
 }
 
-/** Contribution of a mesh's weight to a named weight. */
+/** Contribution of a current blendshape (index `from`) to a weight that is read (index `to`). */
 interface Link {
   from: number
   to: number

@@ -7,15 +7,18 @@ import { meshOf, type WrinklesBase } from '../wrinkles-base.ts'
 
 /** Options of `addDrivers` and `setDrivers`. */
 export interface DriversOptions {
-  /** Expressions of a VRM (three-vrm's `vrm.expressionManager`) that links can name like blendshapes. Default: the current ones. */
+  /**
+   * Expressions of a VRM (three-vrm's `vrm.expressionManager`). Drivers can read the weights of expressions by name, like blendshape weights.
+   * Default: the expressions from the last call.
+   */
   expressions?: VrmExpressions
 }
 
 /**
- * Adds drivers to a face. They run before each frame while `wrinkles.driven` is true, and add to the resting activations, up to 1.
- * Muscles become blendshapes of the mesh.
+ * Adds drivers to a face. Drivers compute activations from blendshapes, joints and other inputs. They run before each frame while
+ * `wrinkles.driven` is true, and add to the resting activations, up to 1. Drivers of type `muscle` add blendshapes to the mesh.
  *
- * @param drivers drivers as in a file. Unknown types, targets, joints and areas are skipped with a warning.
+ * @param drivers drivers as in a file. Unknown types, blendshapes, joints and areas are skipped with a warning.
  * @throws FurrowError if `wrinkles` is invalid or disposed of, or `parseDrivers` rejects a driver; the drivers then stay unchanged.
  */
 export function addDrivers(
@@ -30,8 +33,8 @@ export function addDrivers(
 }
 
 /**
- * Replaces the drivers of a face. Also samples the areas' weights for tension, and the rest pose of joints that are not bones of the
- * mesh: `setDrivers(wrinkles, wrinkles.drivers)` updates both.
+ * Replaces the drivers of a face. Also reads the current weights of the areas, for tension drivers. If a joint is not a bone of the mesh, its
+ * current pose becomes its rest pose. `setDrivers(wrinkles, wrinkles.drivers)` updates these weights and rest poses.
  *
  * @param drivers drivers as for `addDrivers`; an empty list removes all.
  * @throws FurrowError as `addDrivers`.

@@ -4,16 +4,15 @@ export type AnyAttribute = BufferAttribute | InterleavedBufferAttribute
 
 const GETTERS = ['getX', 'getY', 'getZ', 'getW'] as const
 
-/** Returns component k of vertex i. Interleaved attributes lack `getComponent` in three.js r160. */
+/** Returns component `k` (0..3) of vertex `i`. Interleaved attributes lack `getComponent` in three.js r160. */
 export function componentOf(attribute: AnyAttribute, i: number, k: number): number {
   const { getComponent } = attribute as Partial<AnyAttribute>
   return getComponent ? getComponent.call(attribute, i, k) : attribute[GETTERS[k]](i)
 }
 
-/** Copies an attribute to floats. Supports quantised and interleaved attributes. */
 export function coordinates(attribute: AnyAttribute, size = 3): Float32Array {
   const { isBufferAttribute, array, itemSize, normalized } = attribute as Partial<BufferAttribute>
-  // Reading through the attribute is several times slower.
+  // Copying the array is several times faster than `componentOf`.
   if (isBufferAttribute && itemSize === size && !normalized) return new Float32Array(array!)
   const out = new Float32Array(size * attribute.count)
   for (let i = 0; i < out.length; i++) out[i] = componentOf(attribute, Math.floor(i / size), i % size)
@@ -21,8 +20,8 @@ export function coordinates(attribute: AnyAttribute, size = 3): Float32Array {
 }
 
 /**
- * Returns packed xyz vectors, valid at the given vertices. Read-only: may alias the attribute's array, because reading through the attribute
- * is several times slower.
+ * Returns packed xyz vectors of all vertices; only the vectors of the given vertices are set. If possible, returns the array of the
+ * attribute itself, because `getX` is several times slower. The result must therefore not be changed.
  */
 export function vectorsOf(
   attribute: BufferAttribute | InterleavedBufferAttribute,
@@ -40,12 +39,12 @@ export function vectorsOf(
   return vectors
 }
 
-/** Vertex indices of the triangles; generated if the geometry has no index. */
+/** Returns three vertex indices per triangle, also for a geometry without an index. */
 export function trianglesOf({ attributes, index }: BufferGeometry): ArrayLike<number> {
   return index?.array ?? Uint32Array.from({ length: attributes.position.count }, (_, i) => i)
 }
 
-/** Packed xyz displacements of each morph target, for relative and absolute targets. */
+/** Returns the packed xyz displacements of each morph target, whether the geometry stores displacements or positions. */
 export function targetOffsets({
   attributes,
   morphAttributes,
@@ -57,7 +56,7 @@ export function targetOffsets({
   return targets.map((target) => target.map((value, i) => value - rest[i]))
 }
 
-/** Copies numbers. Returns whether any has changed. */
+/** Copies the first `out.length` numbers. Returns whether any number in `out` has changed. */
 export function copyNumbers(out: Float32Array, values: ArrayLike<number>): boolean {
   let changed = false
   for (let i = 0; i < out.length; i++) {

@@ -5,7 +5,7 @@ import { measuredSource } from '../../drivers/sources.ts'
 import type { InputReader } from '../../runtime/driver-runtime.ts'
 import { rootOf } from '../mesh/root-of.ts'
 
-/** Measures joints relative to their rest pose, see `restPoses`. */
+/** Creates a reader of joint inputs: rotations relative to the rest pose (in radians), and distances between two joints (in metres). */
 export function bindJoints(mesh: Mesh, inputs: readonly InputOf<'joint'>[]): InputReader<unknown> {
   const all = [...new Set(inputs.flatMap(({ from, joint }) => [from, joint]))]
   const names = all.filter((name) => findJoint(mesh, name))
@@ -16,13 +16,13 @@ export function bindJoints(mesh: Mesh, inputs: readonly InputOf<'joint'>[]): Inp
   return {
     ...measuredSource(measurement.missing),
     read(values) {
-      // A cloned skinned mesh gets its skeleton after its creation.
+      // `SkeletonUtils.clone` gives a copied mesh its skeleton after the mesh is created.
       if (joints.length === 0 || (mesh as SkinnedMesh).skeleton !== skeleton) {
         skeleton = (mesh as SkinnedMesh).skeleton
         joints = names.map((name) => findJoint(mesh, name)!)
       }
       for (let i = 0; i < joints.length; i++) {
-        // `set` with a plain array allocates.
+        // A loop, because `TypedArray.set` allocates if its argument is an array of numbers.
         const { elements } = joints[i].matrixWorld
         for (let k = 0; k < MATRIX; k++) matrices[MATRIX * i + k] = elements[k]
       }
@@ -31,7 +31,7 @@ export function bindJoints(mesh: Mesh, inputs: readonly InputOf<'joint'>[]): Inp
   }
 }
 
-/** Finds a node by its name in the file, as written or as sanitized by `GLTFLoader`. */
+/** Finds a joint by its name in the file. `GLTFLoader` may have sanitized the name. Prefers bones of the mesh's skeleton. */
 function findJoint(mesh: Mesh, name: string): Object3D | undefined {
   const isNamed = (object: Object3D) =>
     object.name === name || object.name === PropertyBinding.sanitizeNodeName(name)
@@ -45,10 +45,10 @@ function findJoint(mesh: Mesh, name: string): Object3D | undefined {
 }
 
 /**
- * Returns the rest pose per input: the bind pose if both joints are bones of the mesh's skeleton, independent of the pose when loaded.
- * Otherwise the current pose.
+ * Finds the rest pose of each input. If both joints of the input are bones of the mesh's skeleton, their bind pose is the rest pose. Otherwise
+ * the current pose is the rest pose.
  *
- * @returns a function from an input to the packed world matrices of all joints.
+ * @returns a function that returns, for an input, the packed world matrices of all joints in the rest pose.
  */
 function restPoses(mesh: Mesh, names: readonly string[]): (input: InputOf<'joint'>) => Float64Array {
   const { skeleton } = mesh as Partial<SkinnedMesh>

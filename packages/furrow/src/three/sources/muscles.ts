@@ -7,10 +7,12 @@ import { checkIsMesh } from '../mesh/check-mesh.ts'
 import { coordinates, targetOffsets, trianglesOf } from './geometry-arrays.ts'
 
 /**
- * Adds virtual muscles to a mesh. Each becomes a morph target with normals, named like the muscle; its weight is the contraction.
- * Existing target names are skipped. Call it for every mesh of a face, including brows and lashes.
+ * Adds virtual muscles to a mesh. Each muscle becomes a morph target with normals. The target has the name of the muscle, and its weight is
+ * the contraction. If the mesh already has a target with this name, the muscle is skipped. Call the function for every mesh of a face,
+ * including brows and lashes.
  *
- * @param mesh mesh in the space of the muscles. Its geometry is edited in place, also for other meshes that share it.
+ * @param mesh mesh whose local space is the coordinate system of the muscles. The function changes the geometry of this mesh, so other meshes
+ *   with the same geometry change too.
  * @param muscles drivers of type `muscle`, see `driversOf`.
  * @throws FurrowError if `mesh` is not a mesh, or `muscles` is not an array.
  */
@@ -33,7 +35,7 @@ export function addMuscles(mesh: Mesh, muscles: readonly MuscleDriver[]): void {
     const index = known < 0 ? morphAttributes.position.length : known
     targets[muscle.name] = index
     while (influences.length <= index) influences.push(0)
-    // Another mesh with this geometry already has the muscle.
+    // The muscle was already added to the geometry, through another mesh.
     if (known >= 0) continue
     const offsets = muscleOffsets(muscle, position)
     const stored = geometry.morphTargetsRelative ? offsets : offsets.map((offset, i) => offset + position[i])
@@ -43,8 +45,8 @@ export function addMuscles(mesh: Mesh, muscles: readonly MuscleDriver[]): void {
 }
 
 /**
- * Adds missing normals to the morph targets of a geometry. Without them three.js shades the face as if at rest. Does nothing if the
- * geometry has no normals.
+ * Adds missing normals to the morph targets of a geometry. Without these normals, three.js shades a moved face with the normals of the face at
+ * rest. Does nothing if the geometry itself has no normals.
  */
 export function addMorphNormals(geometry: BufferGeometry): void {
   const { morphAttributes, morphTargetsRelative } = geometry

@@ -6,23 +6,22 @@ import { targetSource } from '../../drivers/sources.ts'
 import type { InputReader } from '../../runtime/driver-runtime.ts'
 import { type ReadWeights, targetNames, weightReader } from './morph.ts'
 
-/** Blendshape names with a reader of their weights. */
 export interface MeshTargets {
   names: readonly string[]
   read: ReadWeights
 }
 
-/** Sources of a face's driver inputs, besides its mesh. */
+/** Sources of driver inputs in addition to the mesh of the face. */
 export interface InputOptions {
-  /** Returns the expressions of a VRM, which may not exist before the first frame. */
+  /** Returns the expressions of a VRM. Called when inputs are bound, because three-vrm may create the expressions late. */
   expressions?: () => VrmExpressions | undefined
-  /** Expressions of the VRM file, as blendshape weights. */
+  /** Expressions of the VRM file, converted to blendshape weights. */
   vrmExpressions?: readonly Expression[]
-  /** Returns the blendshapes of a mesh. Default: the mesh's own. */
+  /** Returns the blendshape names that drivers can use for a mesh. Default: the names of its morph targets. */
   targetsOf?: (mesh: Mesh) => MeshTargets
 }
 
-/** Binds inputs to the mesh's blendshapes, and to VRM expressions if there are any. */
+/** Creates a reader of the inputs that are weights: blendshapes of the mesh, and VRM expressions if there are any. */
 export function bindTargets(
   mesh: Mesh,
   inputs: readonly InputOf<'target'>[],

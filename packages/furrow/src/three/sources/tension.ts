@@ -14,17 +14,16 @@ import { trianglesOf } from './geometry-arrays.ts'
 
 export { indexIn, type MeasuredArea, type TensionSurface } from '../../runtime/sampled-tension.ts'
 
-/** Part of a face that tension needs. GPU objects need `onRelease`. */
+/** Properties of a face that tension measurement needs. Only measurement on the GPU needs `onRelease`. */
 export type DrivenFace = Pick<FaceGroup, 'getArea'> &
   Partial<Pick<FaceGroup, 'onRelease'>> & { readonly mesh: Mesh }
 
-/** Binds tension inputs, on the CPU or GPU. */
+/** Creates a reader of tension inputs, which measures on the CPU or GPU how much the skin under areas is compressed or stretched. */
 export type BindTension = (
   face: DrivenFace,
   inputs: readonly InputOf<'tension'>[],
 ) => InputReader<AnyRenderer>
 
-/** Samples the surface of a mesh for some inputs. */
 export function tensionSurface(face: DrivenFace, inputs: readonly InputOf<'tension'>[]): TensionSurface {
   if (inputs.length === 0) return { sampled: EMPTY, measured: [] }
   return surfaceOf(sampledMesh(face.mesh), inputs, (name) => face.getArea(name))
@@ -36,7 +35,7 @@ const EMPTY: SampledMesh = { positions: [], uvs: [], triangles: [] }
 export const bindTension: BindTension = (face, inputs) =>
   sampledTension(face.mesh, tensionSurface(face, inputs), inputs)
 
-/** Measures a few triangles of each area on the CPU. */
+/** Creates a reader of tension inputs, which measures a few triangles of each area on the CPU. */
 export function sampledTension(
   mesh: Mesh,
   surface: TensionSurface,
@@ -49,7 +48,7 @@ export function sampledTension(
   })
 }
 
-/** Mesh at rest, with the texture coordinates of the areas. */
+/** Copies a mesh at rest, with the texture coordinates at which areas are sampled. */
 function sampledMesh(mesh: Mesh): SampledMesh {
   const position = mesh.geometry.getAttribute('position')
   const positions = new Float64Array(3 * position.count)

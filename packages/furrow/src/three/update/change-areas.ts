@@ -3,7 +3,7 @@ import { checkWrinkles } from '../../runtime/check-wrinkles.ts'
 import { meshOf, type WrinklesBase } from '../wrinkles-base.ts'
 
 /**
- * Adds an area to wrinkles, without recompiling shaders.
+ * Adds an area of influence, i.e. a group of wrinkles with its own activation. Does not recompile shaders, except in the mode `paper`.
  *
  * @param wrinkles wrinkles of the face.
  * @param area area as in a wrinkle set; `activation` is its resting activation.
@@ -21,7 +21,7 @@ export function addArea(wrinkles: WrinklesBase, area: Area): void {
 }
 
 /**
- * Removes an area from wrinkles, without recompiling shaders.
+ * Removes an area of influence from wrinkles. Does not recompile shaders, except in the mode `paper`.
  *
  * @param wrinkles wrinkles of the face.
  * @param name name of the area.

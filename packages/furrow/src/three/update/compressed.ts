@@ -1,6 +1,5 @@
 import { FurrowError } from '../../core/error.ts'
 
-/** Error for an update of maps or areas in KTX 2 textures. */
 export function compressed(who: string): FurrowError {
   return new FurrowError({
     code: 'unsupported',

@@ -1,28 +1,29 @@
 import { Color, type DataArrayTexture, LinearMipmapLinearFilter, MathUtils, SRGBColorSpace } from 'three'
 import type { Bounds } from '../../core/bounds.ts'
 
-/** One level of a slice's mipmaps. */
+/** One mipmap level of one slice of a texture array. */
 export interface MipLevel {
   readonly width: number
   readonly height: number
   readonly data: Uint8Array
 }
 
-/** First level of a slice, as a view of the texture's data. */
+/** Returns the first mipmap level of a slice. Its `data` is a view of the texture's data. */
 export function firstLevel(texture: DataArrayTexture, slice: number): MipLevel {
   const { data, width, height, depth } = texture.image as MipLevel & { depth: number }
   const bytes = data.length / depth
   return { width, height, data: data.subarray(slice * bytes, (slice + 1) * bytes) }
 }
 
-/** Channels (bytes) per texel. */
+/** Returns the number of channels per texel. Each channel is one byte. */
 export function channelsOf({ width, height, data }: MipLevel): number {
   return data.length / (width * height)
 }
 
 /**
- * Mipmaps of one slice of a texture array, on the CPU: a change of a few texels then updates a few texels per level. Each texel is the mean
- * of four, in linear colour, as GPUs compute it for power-of-two sides. GPUs differ for other sizes, which get the first level only.
+ * Mipmaps of one slice of a texture array, computed on the CPU, so that a change of a few texels updates only a few texels per level. Each
+ * texel is the mean of four texels of the previous level, in linear colour. GPUs compute the same mean if width and height are powers of two.
+ * For other sizes the result depends on the GPU. `levels` then contains only the first level.
  */
 export class MipChain {
   readonly levels: readonly MipLevel[]
@@ -39,7 +40,7 @@ export class MipChain {
   }
 
   /**
-   * Updates all levels after a change in a rectangle of the first.
+   * Updates all levels after a change in a rectangle of the first level.
    *
    * @returns the changed rectangle per level.
    */
@@ -54,7 +55,7 @@ export class MipChain {
     return touched
   }
 
-  /** Averages texels of a level into a rectangle of the next level. */
+  /** Computes the texels in a rectangle of the level `to` as means of texels of the level `from`. */
   #halve(from: MipLevel, to: MipLevel, { x0, y0, x1, y1 }: Bounds): void {
     const channels = channelsOf(from)
     const colours = this.#isColour ? colourTables() : null
@@ -77,7 +78,7 @@ export class MipChain {
   }
 }
 
-/** Creates empty levels below another, down to one texel. */
+/** Creates all levels that follow a given level, down to one texel, filled with 0. */
 function smallerLevels(level: MipLevel): MipLevel[] {
   if (level.width === 1 && level.height === 1) return []
   const [width, height] = [Math.max(1, level.width >> 1), Math.max(1, level.height >> 1)]
@@ -85,22 +86,22 @@ function smallerLevels(level: MipLevel): MipLevel[] {
   return [smaller, ...smallerLevels(smaller)]
 }
 
-/** Quarter of an integer, rounded half to even, as GPUs round. */
+/** Returns a quarter of an integer, rounded to the nearest integer, ties to even, as GPUs do. */
 function quarter(sum: number): number {
   return (sum + 1 + ((sum >> 2) & 1)) >> 2
 }
 
-/** Number of quantisation steps of linear light. The smallest sRGB step, from 0 to 1 of 255, is five of these steps. */
+/** Number of steps of linear light in the lookup table. The sRGB bytes 0 and 1, whose linear values differ least, are five steps apart. */
 const STEPS = 1 << 14
 
 interface ColourTables {
-  /** Mean of four sRGB bytes in linear light, sRGB-encoded. */
+  /** Returns the mean of four sRGB bytes, computed in linear light, as an sRGB byte. */
   mean(a: number, b: number, c: number, d: number): number
 }
 
 let tables: ColourTables | null = null
 
-/** Returns cached lookup tables: encoding texels one at a time is slow. */
+/** Returns lookup tables that convert between sRGB bytes and linear light. Cached, because computing them is slow. */
 function colourTables(): ColourTables {
   if (tables) return tables
   const color = new Color()

@@ -16,10 +16,16 @@ import { channelsOf, firstLevel, MipChain, type MipLevel } from './mip-chain.ts'
 /** Maximum number of recorded changes. A renderer that has missed more changes uploads complete slices. */
 const MAX_KEPT = 64
 
-/** Fraction of a slice above which the GPU generates the mipmaps of all slices faster than the CPU computes and uploads some. */
+/**
+ * If a change covers at least this fraction of a slice, the GPU generates the mipmaps of all slices. For smaller changes it is faster to
+ * compute the changed texels of the mipmaps on the CPU and upload them.
+ */
 const LARGE = 0.25
 
-/** Whether three.js can copy rectangles into slices and levels of a texture array; before r173 the complete array is uploaded. */
+/**
+ * Whether three.js can copy a rectangle into a slice and a mipmap level of a texture array. With releases before r173, Furrow uploads the
+ * complete array.
+ */
 const COPIES_RECTANGLES = releaseOf(REVISION) >= 173
 
 const changesByTexture = new WeakMap<DataArrayTexture, TextureChanges>()
@@ -32,16 +38,16 @@ export function changesOf(texture: DataArrayTexture): TextureChanges {
 }
 
 /**
- * Changed regions of a texture array. Uploads rectangles, because three.js uploads at least complete slices and regenerates all mipmaps.
- * The texture's data stay complete, so three.js can upload them to new renderers, and after a lost context.
+ * Records changed rectangles of a texture array, and uploads only these. three.js itself would upload complete slices, and regenerate all
+ * mipmaps. The texture's data in CPU memory stay complete, so three.js can upload them to new renderers, and after a lost context.
  */
 export class TextureChanges {
   readonly #texture: DataArrayTexture
   /** Recorded changes, oldest first. */
   readonly #kept: { slice: number; bounds: Bounds }[] = []
-  /** Number of changes dropped before `#kept`. */
+  /** Number of changes that were removed from `#kept`. */
   #dropped = 0
-  /** Number of uploaded changes per renderer. */
+  /** Number of changes that each renderer has uploaded. */
   readonly #uploaded = new WeakMap<AnyRenderer, number>()
   readonly #chains = new Map<number, MipChain>()
 
@@ -49,7 +55,6 @@ export class TextureChanges {
     this.#texture = texture
   }
 
-  /** Records a change of the texture's data in a rectangle of a slice. */
   add(slice: number, bounds: Bounds): void {
     if (bounds.x1 <= bounds.x0 || bounds.y1 <= bounds.y0) return
     if (!COPIES_RECTANGLES) {
@@ -62,18 +67,18 @@ export class TextureChanges {
     this.#dropped++
   }
 
-  /** Uploads the changes that a renderer lacks. */
+  /** Uploads the changes that a renderer has not uploaded yet. */
   upload(renderer: AnyRenderer): void {
     const count = this.#dropped + this.#kept.length
     const from = this.#uploaded.get(renderer) ?? 0
     if (from === count) return
     this.#uploaded.set(renderer, count)
-    // Renderers without the texture upload it completely here.
+    // A renderer that does not have the texture uploads it completely here.
     ;(renderer as WebGLRenderer).initTexture(this.#texture)
     for (const [slice, bounds] of this.#since(from)) this.#copy(renderer as WebGLRenderer, slice, bounds)
   }
 
-  /** Bounding rectangle, per slice, of all changes since the given count. */
+  /** Returns, for each slice, the bounding rectangle of all changes except the first `from` changes. */
   #since(from: number): Map<number, Bounds> {
     const { width, height, depth } = this.#texture.image as { width: number; height: number; depth: number }
     const rectangles = new Map<number, Bounds>()
@@ -90,13 +95,13 @@ export class TextureChanges {
     return rectangles
   }
 
-  /** Copies a rectangle of a slice to the GPU, with the affected texels of smaller levels. */
+  /** Copies a rectangle of a slice, and the affected texels of its mipmaps, to the GPU. */
   #copy(renderer: WebGLRenderer, slice: number, bounds: Bounds): void {
     const texture = this.#texture
     const { levels, touched } = this.#levelsOf(slice, bounds)
     const source = stack(levels, touched, texture)
     const { generateMipmaps } = texture
-    // three.js regenerates all mipmaps after a copy to the first level.
+    // Otherwise three.js would regenerate all mipmaps after a copy to the first level.
     if (levels.length > 1) texture.generateMipmaps = false
     try {
       let row = 0
@@ -111,7 +116,7 @@ export class TextureChanges {
     }
   }
 
-  /** Levels to upload with their changed rectangles; only the first level if the GPU generates the others. */
+  /** Returns the mipmap levels to upload, and their changed rectangles. Returns only the first level if the GPU generates the other levels. */
   #levelsOf(slice: number, bounds: Bounds): { levels: readonly MipLevel[]; touched: Bounds[] } {
     const first = firstLevel(this.#texture, slice)
     const { x0, y0, x1, y1 } = bounds
@@ -125,7 +130,7 @@ export class TextureChanges {
   }
 }
 
-/** Stacks the rectangles of all levels vertically in one image. */
+/** Copies the changed rectangles of all levels into one image, one below the other. */
 function stack(levels: readonly MipLevel[], touched: readonly Bounds[], like: DataArrayTexture): DataTexture {
   const channels = channelsOf(levels[0])
   const width = touched[0].x1 - touched[0].x0

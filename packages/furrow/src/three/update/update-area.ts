@@ -11,15 +11,15 @@ import { compressed } from './compressed.ts'
 import { changesOf } from './texture-changes.ts'
 
 /**
- * Replaces the weights of an area from the next frame on, on these wrinkles and all others that share their textures. Uploads only the
- * rectangle that the area covers, so it can be called for every movement of a brush. Tension drivers keep the old weights until the drivers
- * are set again: call `setDrivers(wrinkles, wrinkles.drivers)` after a brush stroke.
+ * Replaces the weights of an area of influence from the next frame on. The change affects all `Wrinkles` that share the textures. Uploads only
+ * the rectangle that the area covers, so it can be called for every movement of a brush. Tension drivers keep the old weights until the
+ * drivers are set again. Call `setDrivers(wrinkles, wrinkles.drivers)` after a brush stroke.
  *
  * @param wrinkles wrinkles of the face.
  * @param name name of the area.
- * @param weights gray image, 255 = fully visible. Any size; fastest at `areaSize`, because other sizes are resampled.
- * @throws FurrowError if the area is unknown, the image malformed, the areas are in KTX 2 textures, or the wrinkles were disposed of;
- *   nothing then changes.
+ * @param weights gray image of any size, 255 = fully visible. Resampled if its size is not `areaSize`, see `WrinklesOptions`.
+ * @throws FurrowError if the area is unknown, if the image is malformed, if areas are KTX 2 textures, or if the wrinkles are disposed of. The
+ *   area then stays unchanged.
  */
 export function updateArea(wrinkles: WrinklesBase, name: string, weights: GrayImage): void {
   checkWrinkles(wrinkles, WHO)

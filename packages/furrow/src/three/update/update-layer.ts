@@ -6,7 +6,7 @@ import { FurrowError } from '../../core/error.ts'
 import { checkImage } from '../../core/image.ts'
 import type { ArraySlice, GrayImage, Layer, RgbaImage } from '../../core/types.ts'
 import { checkWrinkles } from '../../runtime/check-wrinkles.ts'
-import { MAP_KINDS } from '../../runtime/layer-maps.ts'
+import { MAP_KINDS } from '../../runtime/maps/layer-maps.ts'
 import { type LayerMaps, listTextures, type WrinkleTextures } from '../material/wrinkle-textures.ts'
 import { meshOf, type WrinklesBase } from '../wrinkles-base.ts'
 import { compressed } from './compressed.ts'
@@ -14,29 +14,30 @@ import { channelsOf, firstLevel } from './mip-chain.ts'
 import { changesOf } from './texture-changes.ts'
 import { unknownLayer } from './unknown-layer.ts'
 
-/** New images for maps of a layer, each with the size of the image it replaces; see `Layer`. */
+/** New images for the maps of a layer, see `Layer`. Each image must have the size of the image that it replaces. */
 export interface LayerImages {
   normal?: RgbaImage
   baseColor?: RgbaImage
   roughness?: GrayImage
   occlusion?: GrayImage
   blood?: GrayImage
+  onset?: GrayImage
 }
 
 type Kind = (typeof MAP_KINDS)[number]
 
 /**
- * Replaces pixels in maps of a layer from the next frame on, on these wrinkles and all others that share their textures. Uploads only the
- * region and its mipmaps, so it can be called for every movement of a brush. If the region covers a quarter of a map or more, or a side is
- * not a power of two, the GPU regenerates all mipmaps, which takes about as long as uploading a complete map.
+ * Replaces a region of the maps of a layer from the next frame on. The change affects all `Wrinkles` that share the textures. Uploads only the
+ * region and its mipmaps, so it can be called for every movement of a brush. The GPU regenerates all mipmaps if the region covers a quarter of
+ * the map or more, or if the width or height of the map is not a power of two. That takes about as long as uploading a complete map.
  *
  * @param wrinkles wrinkles of the face.
  * @param name name of the layer.
- * @param images complete maps, copied. Omitted maps stay unchanged.
- * @param region texels that changed, the same in each map: columns x0 to x1 and rows y0 to y1 from the top, x1 and y1 excluded. Default:
- *   the complete map.
- * @throws FurrowError if the layer or map is unknown, an image is malformed or differs in size, or the region is out of bounds. Also if the
- *   maps are in KTX 2 textures, or the wrinkles were disposed of. Nothing then changes.
+ * @param images new maps in full size. Their texels in the region are copied. Omitted maps stay unchanged.
+ * @param region rectangle of texels to replace in each map: columns `x0` to `x1 - 1`, and rows `y0` to `y1 - 1` from the top. Default: the
+ *   complete map.
+ * @throws FurrowError if the layer or map is unknown, an image is malformed or differs in size, or the region is out of bounds. Also throws if
+ *   the maps are in KTX 2 textures, or the wrinkles were disposed of. Nothing then changes.
  */
 export function updateLayer(
   wrinkles: WrinklesBase,
@@ -111,7 +112,8 @@ function checkRegion(region: Readonly<Bounds>, width: number, height: number, wh
 /**
  * Copies a rectangle of an image into a layer's slice of a texture array, or into a channel of the slice.
  *
- * @returns the slice as an image, for the paper mode; undefined if the slice also holds another map.
+ * @returns the complete slice as an image, from which the wrinkle mode `paper` makes its own texture array. Undefined if the slice also holds
+ *   another map.
  */
 function copyRegion(
   { width, height, data }: RgbaImage | GrayImage,

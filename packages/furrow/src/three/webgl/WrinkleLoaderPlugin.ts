@@ -7,7 +7,7 @@ import { watchDraws } from './watch-draws.ts'
 /** `GLTFLoader` plugin for `WebGLRenderer`: `loader.register((parser) => new WrinkleLoaderPlugin(parser))`. */
 export class WrinkleLoaderPlugin extends WrinkleLoader {
   /**
-   * @param options options of all faces, and `auto` for files without wrinkles.
+   * @param options options of the wrinkles of all faces, and `auto`, which generates wrinkles for files without wrinkles.
    * @throws FurrowError if an option is unknown or out of range.
    */
   constructor(parser: GLTFParser, options: WrinkleLoaderOptions = {}) {

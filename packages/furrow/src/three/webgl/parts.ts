@@ -9,7 +9,6 @@ import { showInfluence } from './modes/influence-material.ts'
 import { showPaper } from './modes/paper.ts'
 import { shaderErrorOf } from './patch/program-error.ts'
 
-/** Parts for `WebGLRenderer`. */
 export const WEBGL: RendererParts = {
   entry: 'furrow/three',
   canPatch: ({ fragmentShader, isRawShaderMaterial }) =>
@@ -20,8 +19,8 @@ export const WEBGL: RendererParts = {
   drawsLevels: true,
   showInfluence,
   /**
-   * Disposes of the material too: three.js caches all programs of a material, but only the uniforms of the last one built. A reused
-   * program, e.g. when `default` follows `off`, would lack its uniforms.
+   * Also disposes of the material. three.js caches all programs of a material, but only the uniforms of the program that it built last. Without
+   * `dispose` it would reuse a cached program without its uniforms, e.g. in the mode `default` after `off`.
    */
   renew(material) {
     material.dispose()

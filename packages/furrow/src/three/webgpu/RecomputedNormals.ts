@@ -7,9 +7,9 @@ import { canCompute } from './compute/buffers.ts'
 import { ComputedNormals } from './compute/computed-normals.ts'
 
 /**
- * Recomputes a mesh's normals and tangents in compute passes, without readback, as its blendshapes deform it. three.js applies skinning
- * afterwards. With the WebGL 2 backend of `WebGPURenderer` the CPU computes them. The first `update` replaces the mesh's geometry by one
- * that shares its buffers.
+ * Recomputes a mesh's normals and tangents as its blendshapes deform the mesh. Runs compute passes on the GPU; with the WebGL 2 backend of
+ * `WebGPURenderer`, the CPU computes the normals. three.js applies skinning to the recomputed normals. The first `update` replaces the
+ * geometry of the mesh. If the GPU computes the normals, the new geometry shares the buffers of the old one.
  */
 export class RecomputedNormals {
   readonly #mesh: Mesh
@@ -25,8 +25,8 @@ export class RecomputedNormals {
   }
 
   /**
-   * Updates normals and tangents from the current blendshape weights. Call it once per frame, before the mesh is drawn. Does nothing while
-   * no weight changes, or until the renderer is initialised.
+   * Updates normals and tangents from the current blendshape weights. Call it once per frame, before the mesh is drawn. Does nothing before the
+   * renderer is initialised, or while no weight changes.
    *
    * @throws FurrowError if `renderer` is not a WebGPURenderer.
    */

@@ -7,13 +7,13 @@ import { WrinklesBase } from '../wrinkles-base.ts'
 import { checkBatch } from './influence/influence.ts'
 import { WEBGPU } from './parts.ts'
 
-/** Wrinkles on one mesh for `WebGPURenderer`, with its WebGPU or WebGL 2 backend. */
+/** Shows a wrinkle set on a mesh that `WebGPURenderer` draws, with its WebGPU or WebGL 2 backend. */
 export class Wrinkles extends WrinklesBase {
   /**
    * @param mesh mesh with UVs, normals, and a lit material (node material or not) that no other mesh uses. Each instance of an
-   *   `InstancedMesh` or `BatchedMesh` wrinkles independently.
-   * @param source wrinkle set, copied: edit it later with `addArea`, `removeArea`, `updateArea` and `updateLayer`. Or the wrinkles of
-   *   another mesh, to share their textures and drivers; activations start at rest.
+   *   `InstancedMesh` or `BatchedMesh` has separate activations.
+   * @param source wrinkle set, or the wrinkles of another mesh. A set is copied; use `addArea`, `removeArea`, `updateArea` and `updateLayer`
+   *   to change it later. If wrinkles of another mesh are given, both meshes share textures and drivers, but have separate activations.
    * @throws FurrowError if the mesh, its material or the set is invalid, or the three.js release is unsupported; the mesh is then
    *   unchanged.
    */
@@ -22,7 +22,7 @@ export class Wrinkles extends WrinklesBase {
   }
 }
 
-/** @throws FurrowError if the value is not a mesh, or three.js lacks an internal required for a `BatchedMesh`. */
+/** @throws FurrowError if the value is not a mesh, or if three.js lacks an internal property that a `BatchedMesh` needs. */
 function withBatchChecked(mesh: Mesh): Mesh {
   checkIsMesh(mesh, 'Wrinkles')
   if (instancesOf(mesh) === 'batched') checkBatch(mesh)

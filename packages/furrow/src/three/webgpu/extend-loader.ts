@@ -3,10 +3,10 @@ import type { WrinkleLoaderOptions } from '../options.ts'
 import { WrinkleLoaderPlugin } from './WrinkleLoaderPlugin.ts'
 
 /**
- * Registers `WrinkleLoaderPlugin` for `WebGPURenderer` on a `GLTFLoader`: `extendLoader(new GLTFLoader())`. Also works as a callback of
- * framework loaders: `useGLTF(url, undefined, undefined, extendLoader)`. Further calls replace the options.
+ * Registers `WrinkleLoaderPlugin` for `WebGPURenderer` on a `GLTFLoader`: `extendLoader(new GLTFLoader())`. Can be passed to drei:
+ * `useGLTF(url, undefined, undefined, extendLoader)`. A second call with the same loader replaces the options.
  *
- * @param options options of all faces, and `auto` for files without wrinkles.
+ * @param options options of the wrinkles of all faces, and `auto`, which generates wrinkles for files without wrinkles.
  * @returns the loader.
  * @throws FurrowError if `loader` is not a loader, or an option is unknown or out of range.
  */

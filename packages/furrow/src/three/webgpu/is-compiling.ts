@@ -4,13 +4,13 @@ import type { RendererParts } from '../material/renderer-parts.ts'
 interface Compiler {
   /** Set while `compileAsync` traverses a scene. */
   _compilationPromises?: object | null
-  /** Since r187. */
+  /** Undefined before r187. */
   _precompilationState?: object | null
 }
 
 /**
- * Whether r186 is traversing a scene in `compileAsync`. Drawing an influence map then would begin a frame, which drops render lists unused
- * for ten frames, including the scene's. Fixed in r187.
+ * Whether `compileAsync` of three.js r186 is traversing a scene. Nothing may be drawn meanwhile. A `render` call begins a frame, and three.js
+ * then drops render lists that were unused for ten frames. `compileAsync` may still be using one of these lists. r187 has no such problem.
  */
 export const isCompiling: RendererParts['isCompiling'] = (renderer) => {
   const { _compilationPromises, _precompilationState } = renderer as Compiler

@@ -1,6 +1,6 @@
 /**
- * TSL functions that three.js r168 to r185 lack. Read from the namespace, because bundlers reject named imports of missing exports.
- * `checkThree` reports the required release.
+ * TSL functions that three.js r168 to r185 do not have. They are read from the namespace `TSL`, because bundlers reject a named import of a
+ * missing export. With an older release they are undefined, and `checkThree` throws an error that names the required release.
  */
 import * as TSL from 'three/tsl'
 

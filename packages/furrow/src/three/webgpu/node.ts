@@ -1,10 +1,10 @@
-/** Casts of TSL nodes that three.js's declarations leave untyped. Casts for compute passes are in `compute/buffers.ts`. */
+/** Typed versions of TSL functions whose nodes have no type in three.js's declarations. For compute passes see `compute/buffers.ts`. */
 import type { Material } from 'three'
 import { int, textureSize, uniform } from 'three/tsl'
 import { MaterialReferenceNode, type Node, type TextureNode } from 'three/webgpu'
 import { subBuild } from './newer-nodes.ts'
 
-/** Node types by the type argument of `materialReference`. */
+/** Node type of a material property, by the type that three.js uses for the property. */
 interface PropertyNodes {
   float: 'float'
   vec2: 'vec2'
@@ -13,9 +13,10 @@ interface PropertyNodes {
 }
 
 /**
- * Property of the material being drawn.
+ * Returns a node that reads a property of the material that is drawn.
  *
- * @param owner fallback: the renderer's shadow material uses nodes of the mesh's material, but may lack its properties.
+ * @param owner material that is read if the drawn material does not have the property. The renderer's shadow material uses the nodes of a
+ *   mesh's material, but may not have the properties of that material.
  */
 export function materialProperty<T extends keyof PropertyNodes>(
   name: string,
@@ -41,7 +42,7 @@ class PropertyNode extends MaterialReferenceNode {
   }
 }
 
-/** Uniform that reads an input's `value` before each draw. */
+/** Creates a uniform that reads `value` of an input before each draw. */
 export function inputUniform<T extends string>(input: { readonly value: unknown }, type?: T): Node<T> {
   return typed(uniform(input.value as never, type as never).onObjectUpdate(() => input.value))
 }
@@ -49,12 +50,12 @@ export function inputUniform<T extends string>(input: { readonly value: unknown 
 /** Channels of a `vec4` in the order of the layers. */
 export const CHANNELS = ['x', 'y', 'z', 'w'] as const
 
-/** Width and height of a texture's level 0, texels. */
+/** Returns the width and height of a texture's finest mipmap level, texels. */
 export function sizeOf(node: TextureNode): Node<'ivec2'> {
   return typed(textureSize(node, int(0)))
 }
 
-/** View-space normal, built like the material's own in three.js. */
+/** Builds a view-space normal in the same way as three.js builds the normal of a material. */
 export function normalInView(normal: Node): Node<'vec3'> {
   return typed(subBuild(normal, 'NORMAL', 'vec3'))
 }
@@ -64,7 +65,6 @@ export function typed<T extends string>(node: Node): Node<T> {
   return node as Node<T>
 }
 
-/** Scale of the material's normal map. */
 export function normalScale(owner: Material): Node<'vec2'> {
   return materialProperty('normalScale', 'vec2', owner)
 }

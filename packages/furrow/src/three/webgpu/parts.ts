@@ -9,7 +9,6 @@ import { showInfluence } from './modes/influence-material.ts'
 import { showPaper } from './modes/paper.ts'
 import { shaderErrorOf } from './patch/build-error.ts'
 
-/** Parts for `WebGPURenderer`. */
 export const WEBGPU: RendererParts = {
   entry: 'furrow/webgpu',
   canPatch: () => true,

@@ -1,4 +1,4 @@
-/** Texture coordinates and sampling of maps, in TSL; same formulas as the GLSL in `webgl/`. */
+/** TSL that computes texture coordinates and samples maps. The formulas are those of the GLSL in `webgl/`. */
 import { Matrix3 } from 'three'
 import { int, max, min, texture, uniform, uv, vec2, vec3 } from 'three/tsl'
 import type { Node } from 'three/webgpu'
@@ -13,7 +13,7 @@ export interface Gradients {
   dy: Node<'vec2'>
 }
 
-/** Computes gradients. Must be called outside of branches, where neighbouring pixels may diverge. */
+/** Computes gradients, and wraps texture coordinates into 0..1. Must be called outside of branches, in which derivatives are undefined. */
 export function gradientsOf(uv: Node<'vec2'>): Gradients {
   const unwrapped = uv.toVar()
   return {
@@ -24,8 +24,9 @@ export function gradientsOf(uv: Node<'vec2'>): Gradients {
 }
 
 /**
- * Samples one slice of a texture array with explicit derivatives; safe inside branches. Only anisotropic samplers need the gradients.
- * Otherwise the level of detail computed from them is cheaper (OpenGL ES 3.0, equations 3.18 and 3.21).
+ * Samples one slice of a texture array with explicit derivatives, so it can be called inside branches. Anisotropic filtering needs the
+ * derivatives. Without anisotropic filtering, the code computes the mipmap level from the derivatives, which is cheaper (OpenGL ES 3.0,
+ * equations 3.18 and 3.21).
  *
  * @param slice index from 0.
  * @returns the filtered texel, with colours in linear space.
@@ -39,27 +40,30 @@ export function sampleSlice(array: ArrayTexture, { uv, dx, dy }: Gradients, slic
   return sampled.level(level)
 }
 
-/** Samples a slice, by index from 0, of a texture array. */
+/** Samples one slice of a texture array. `slice` is its index. */
 export type SampleSlice = (array: ArrayTexture, slice: number) => Node<'vec4'>
 
-/** Samples layer maps at texture coordinates: within 0..1 for `bySampler`, any for `byGradients`. Must be called outside of branches. */
+/**
+ * Returns a function that samples layer maps at texture coordinates. `bySampler` requires coordinates within 0..1; `byGradients` wraps them.
+ * Must be called outside of branches.
+ */
 export type SliceSampler = (uv: Node<'vec2'>) => SampleSlice
 
-/** Implicit level of detail; on software rasterisers cheaper than an explicit one. */
+/** Lets the GPU choose the mipmap level, which is cheaper on software rasterisers than computing it in the shader. */
 export const bySampler: SliceSampler = (uv) => (array, slice) => texture(array, uv).depth(int(slice))
 
-/** Explicit gradients, for texture coordinates that wrap between neighbouring pixels. */
+/** Uses derivatives from before wrapping, because wrapped texture coordinates may jump between neighbouring pixels. */
 export const byGradients: SliceSampler = (uv) => {
   const gradients = gradientsOf(uv)
   return (array, slice) => sampleSlice(array, gradients, slice)
 }
 
-/** Wraps texture coordinates into 0..1, see `repeat` in core. Coordinates within 0..1 stay bit-exact. */
+/** Wraps texture coordinates into 0..1, see `repeat` in core. Coordinates within 0..1 stay bit-identical. */
 export function repeat(uv: Node<'vec2'>): Node<'vec2'> {
   return uv.sub(max(uv.ceil().sub(1), min(uv.floor(), 0)))
 }
 
-/** Texture coordinates of the material's normal map, with its `KHR_texture_transform` applied. */
+/** Returns the texture coordinates of a material's normal map, after its `KHR_texture_transform`. */
 export function mapUv(material: Pick<WrinkleMaterial, 'normalMap'>): Node<'vec2'> {
   const transform = uniform(new Matrix3()).onObjectUpdate(() => {
     const map = material.normalMap!

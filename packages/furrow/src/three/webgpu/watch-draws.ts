@@ -5,7 +5,10 @@ import { OnBeforeObjectUpdate } from './newer-nodes.ts'
 
 const watchers = new WeakMap<Material, Parameters<WatchDraws>[1]>()
 
-/** Watches draws of a material by an event in its shader graph, because `WebGPURenderer` does not call `Material.onBeforeRender`. */
+/**
+ * Calls a function before `WebGPURenderer` draws any mesh that has the material, see `WatchDraws`. Uses an event in the shader graph, because
+ * `WebGPURenderer` does not call `Material.onBeforeRender`.
+ */
 export const watchDraws: WatchDraws = (material, onDraw) => {
   if (!Object.hasOwn(material, 'setupVertex')) addEvent(material)
   watchers.set(material, onDraw)
@@ -14,7 +17,10 @@ export const watchDraws: WatchDraws = (material, onDraw) => {
   }
 }
 
-/** Adds the event permanently. Non-node materials can carry it too: the renderer copies it to its node material. */
+/**
+ * Adds the event permanently. This also works on a material that is not a node material, because the renderer draws it with a node material to
+ * which it copies all properties.
+ */
 function addEvent(material: Material): void {
   const setupVertex = function (this: NodeMaterial, builder: NodeBuilder) {
     OnBeforeObjectUpdate(({ material: drawn, object, renderer, camera, scene }) => {

@@ -1,75 +1,89 @@
-import { exp, power, sin } from '../../../math/elementary.ts'
-import { smoothstep } from '../../../math/scalar.ts'
-import type { ChartPoint } from '../surface/head-chart.ts'
-import { withFineEnds } from './fine-ends.ts'
+import { exp, power } from '../../../math/elementary.ts'
+import { clamp } from '../../../math/scalar.ts'
+import { unit2 } from '../../../math/vector.ts'
+import { filmWavelength } from '../buckling/film.ts'
+import { DERMIS, dermisAt } from './dermis.ts'
 import {
   chartPointOf,
   type FaceContext,
   type FaceRegion,
-  type Guide,
+  fade,
   SIDES,
   type Side,
-  sampleCurve,
+  type SkinFilm,
 } from './region.ts'
 
 /** Half the width, in millimetres, of the transition between the left and the right areas. */
 const MIDDLE = 4
 /** Half the width, in millimetres, of the transition between an inner and an outer area. */
 const HALVES = 9
+/** Width, in millimetres, of the margin that `isFlattened` adds around the folds. */
+const BORDER = 8
+/** Range of heights above the brows, in millimetres. The compression fades in from the first to the second. */
+const LOWER_EDGE = [3, 13] as const
+/** Range of distances below the hairline, in millimetres. The compression fades in from the first to the second. */
+const UPPER_EDGE = [0, 16] as const
+/** Distances from the middle of the face, divided by the distance of the outer brow. The compression fades in from the first to the second. */
+const OUTER_EDGE = [1.4, 0.3] as const
 
 /**
- * Returns the regions of the forehead: horizontal lines, one above the other, that dip between the brows and arch over the brows (frontalis
- * muscle). Four areas show parts of the same lines, because the inner and outer ends of both brows rise independently.
+ * Returns the regions of the forehead, where the frontalis muscle raises the brows and shortens the skin. The folds dip between the brows and
+ * arch over each brow. The two ends of each brow can rise separately, so each of four areas shows a part of the same folds.
  */
-export function forehead({ landmarks, byAge, rngOf }: FaceContext): FaceRegion[] {
-  const rng = rngOf('forehead')
+export function forehead({ landmarks, ageFraction, byAge, rngOf }: FaceContext): FaceRegion[] {
   const inner = chartPointOf(landmarks.innerBrow)
   const outer = chartPointOf(landmarks.outerBrow)
   const brow = (inner[1] + outer[1]) / 2
   const height = landmarks.hairline - brow
-  const lines = Math.round(byAge(4, 6))
-  const guides: Guide[] = []
-  for (let i = 0; i < lines; i++) {
-    const t = (i + rng.jitter(0.12)) / (lines - 1)
-    // The uppermost and lowest lines are shorter and shallower than the others.
-    const strength = 1 - 0.5 * power(Math.abs(2 * t - 0.8), 1.5)
-    const reach = Math.abs(outer[0]) * (0.78 + 0.3 * strength) + rng.jitter(5)
-    const level = brow + height * (0.2 + 0.58 * t)
-    const [longWave, shortWave, phase] = [rng.jitter(1.1), rng.jitter(1.1), rng.next() * 6.28]
-    const pointAt = (across: number): ChartPoint => {
-      const dip = (3.2 - 2.2 * t) * exp(-((across / 13) ** 2))
-      const fall = (2.5 + 5.5 * t) * power(Math.abs(across) / 50, 2.2)
-      const wave = longWave * sin(across / 13 + phase) + shortWave * sin(across / 7.3 - phase)
-      return [across, level - dip - fall + wave]
-    }
-    const start = -(reach + rng.jitter(4))
-    // Most lines consist of two pieces that overlap.
-    const isBroken = rng.next() < 0.65
-    const gap = rng.jitter(0.75 * reach)
-    const pieces = isBroken
-      ? [
-          [start, gap + rng.uniform(2, 5), rng.uniform(-1.3, -0.6)],
-          [gap - rng.uniform(2, 5), reach, rng.uniform(0.6, 1.3)],
-        ]
-      : [[start, reach, 0]]
-    for (const [from, to, lift] of pieces) {
-      const length = to - from
-      guides.push({
-        path: sampleCurve(32, (s) => {
-          const [across, up] = pointAt(from + s * length)
-          return [across, up + lift]
-        }),
-        width: byAge(2.8, 3.5) * (0.85 + 0.2 * strength),
-        depth: strength * rng.uniform(0.85, 1),
-        taper: [Math.min(0.5, 16 / length), Math.min(0.5, 16 / length)],
-        shoulder: [1, 1],
-        softness: byAge(0.55, 0.4),
-      })
-    }
-    if (i > 0 && rng.next() < byAge(0.45, 0.9))
-      guides.push(shortLine(pointAt, height / lines, reach, rng.jitter(0.6), byAge(0.25, 0.42)))
+  const outerBrow = Math.abs(outer[0])
+  const rng = rngOf('forehead')
+  const [dipInMiddle, fallAtBrows] = [rng.uniform(1.5, 7), rng.uniform(2, 5)]
+  /**
+   * Returns the drop of the fold at a point, and the derivative of the drop by `across`. Folds dip between the brows and fall towards the
+   * temples. The sum of `up` and `drop` is constant along a fold.
+   */
+  const dropAt = (across: number, up: number): [drop: number, slope: number] => {
+    const t = clamp((up - brow) / height, 0, 1)
+    const dip = (1 - 0.7 * t) * dipInMiddle * exp(-((across / 13) ** 2))
+    const fall = (fallAtBrows + 5 * t) * power(Math.abs(across) / 50, 2.2)
+    const slope = (-2 * across * dip) / 169 + (across === 0 ? 0 : (2.2 * fall) / across)
+    return [dip + fall, slope]
   }
-  const withEnds = withFineEnds(guides, byAge(0.25, 0.6), rngOf('forehead ends'))
+  const thickness = dermisAt(DERMIS.forehead, ageFraction)
+  const film: SkinFilm = {
+    centre: [0, brow],
+    isFlattened: ([across, up]) => {
+      const level = up + dropAt(across, up)[0]
+      return (
+        level > brow + LOWER_EDGE[0] - BORDER &&
+        up < landmarks.hairline + BORDER &&
+        Math.abs(across) < OUTER_EDGE[0] * outerBrow + BORDER
+      )
+    },
+    weight: ([across, up]) => {
+      const [drop] = dropAt(across, up)
+      const level = up + drop
+      return (
+        fade(level - brow, ...LOWER_EDGE) *
+        fade(landmarks.hairline - level, ...UPPER_EDGE) *
+        fade(Math.abs(across) / outerBrow, ...OUTER_EDGE)
+      )
+    },
+    thickness: () => thickness,
+    pull: ([across, up]) => {
+      const [, slope] = dropAt(across, up)
+      return unit2(slope, 1)
+    },
+    variation: { thickness: 0.16, critical: 0.3, size: 9 },
+    noise: rng.film(),
+    style: {
+      width: byAge(2.8, 3.5),
+      depth: 1,
+      taper: [0.12, 0.12],
+      shoulder: [1, 1],
+      softness: byAge(0.55, 0.4),
+    },
+  }
   const region = (side: Side, sideName: string, half: 'Inner' | 'Outer'): FaceRegion => ({
     name: `forehead${half}${sideName}`,
     cause:
@@ -77,41 +91,18 @@ export function forehead({ landmarks, byAge, rngOf }: FaceContext): FaceRegion[]
         ? { browInnerUp: 1, [`browOuterUp${sideName}`]: 0.5 }
         : { [`browOuterUp${sideName}`]: 1, browInnerUp: 0.4 },
     expression: { browInnerUp: 1, browOuterUpLeft: 1, browOuterUpRight: 1 },
-    guides: withEnds,
-    spacing: height / lines,
+    film,
+    spacing: filmWavelength(thickness),
     creasedFraction: byAge(0.45, 0.9),
     maxDepth: byAge(0.8, 1.35),
     atRest: 0.3,
     reach: 6,
     feather: 7,
     influence: ([across]) => {
-      const ownSide = smoothstep((side * across + MIDDLE) / (2 * MIDDLE))
-      const outerHalf = smoothstep((side * across - 0.42 * Math.abs(outer[0]) + HALVES) / (2 * HALVES))
+      const ownSide = fade(side * across, -MIDDLE, MIDDLE)
+      const outerHalf = fade(side * across - 0.42 * outerBrow, -HALVES, HALVES)
       return ownSide * (half === 'Outer' ? outerHalf : 1 - outerHalf)
     },
   })
   return SIDES.flatMap(([side, name]) => [region(side, name, 'Inner'), region(side, name, 'Outer')])
-}
-
-/** Creates a short, faint line halfway between the line `pointAt` and the next lower line. */
-function shortLine(
-  pointAt: (across: number) => ChartPoint,
-  spacing: number,
-  reach: number,
-  centre: number,
-  depth: number,
-): Guide {
-  const middle = centre * reach
-  const half = 0.3 * reach
-  return {
-    path: sampleCurve(16, (t) => {
-      const [across, up] = pointAt(middle + (2 * t - 1) * half)
-      return [across, up - 0.5 * spacing]
-    }),
-    width: 2,
-    depth,
-    taper: [0.5, 0.5],
-    shoulder: [0.8, 0.8],
-    softness: 0.6,
-  }
 }

@@ -1,9 +1,10 @@
-import { smoothstep } from '../../../math/scalar.ts'
+import { lerp } from '../../../math/scalar.ts'
 import {
   bezierPath,
   chartPointOf,
   type FaceContext,
   type FaceRegion,
+  fade,
   type Guide,
   SIDES,
   type Side,
@@ -13,8 +14,8 @@ import {
 const MIDDLE = 2
 
 /**
- * Returns the regions of frowning: vertical lines between the brows, whose number grows with age (corrugator muscle), and horizontal lines on
- * the root of the nose (procerus muscle).
+ * Returns the regions that crease in a frown. They have vertical lines between the brows (corrugator muscle) and horizontal lines on the root
+ * of the nose (procerus muscle). The number of lines grows with age.
  */
 export function frown(context: FaceContext): FaceRegion[] {
   return [...SIDES.map(([side, name]) => glabella(context, side, name)), noseRoot(context)]
@@ -27,53 +28,84 @@ function glabella(
 ): FaceRegion {
   const rng = rngOf(`glabella${name}`)
   const [inner, brow] = chartPointOf(landmarks.innerBrow)
-  const centre = 0.5 * inner + rng.jitter(0.5)
-  const line = (across: number, low: number, high: number, width: number, depth: number): Guide => ({
-    // The line leans outwards at the top and bends towards the nose at the bottom.
+  /** Returns a line from the head of the brow upwards. It leans outwards and bends towards the nose at the bottom. */
+  const line = (
+    across: number,
+    [low, high]: readonly [number, number],
+    lean: number,
+    width: number,
+    depth: number,
+  ): Guide => ({
     path: bezierPath(
       side,
-      [across - 0.6, brow + low],
-      [across + 0.3, brow + low + 6],
-      [across, brow + high - 8],
-      [across + 1.6, brow + high],
+      [across - rng.uniform(0.5, 1.5), brow + low],
+      [across + 0.3, brow + lerp(low, high, 0.35)],
+      [across + 0.2 * lean, brow + lerp(low, high, 0.65)],
+      [across + lean, brow + high],
     ),
     width,
     depth,
-    taper: [0.4, 0.5],
-    shoulder: [0.9, 0.9],
-    softness: byAge(0.6, 0.5),
+    taper: [0.45, 0.5],
+    shoulder: [1, 1],
+    softness: byAge(0.85, 0.75),
   })
-  const guides = [line(centre, -8 + rng.jitter(1), 15 + rng.jitter(2), byAge(2.8, 3.6), 1)]
-  if (ageFraction > 0.2)
-    guides.push(line(centre + 4.6 + rng.jitter(0.5), -2, 11 + rng.jitter(2), 2.6, byAge(0.35, 0.6)))
-  if (ageFraction > 0.5) guides.push(line(centre - 3.6, -1, 9 + rng.jitter(2), 2.2, 0.35))
+  const main = inner * rng.uniform(0.42, 0.6)
+  const extent = [rng.uniform(-9, -5), rng.uniform(8, 14)] as const
+  const guides = [line(main, extent, rng.uniform(1.5, 4), byAge(3, 4), rng.uniform(0.95, 1))]
+  // The corrugator folds the skin outside its main line again. Few people have a line between the two main lines.
+  const beside = main + rng.uniform(4, 5.5)
+  if (ageFraction > rng.uniform(0.1, 0.5))
+    guides.push(
+      line(
+        beside,
+        [-3, rng.uniform(5, 13)],
+        rng.uniform(0.5, 3),
+        2.6,
+        byAge(0.35, 0.6) * rng.uniform(0.7, 1),
+      ),
+    )
+  if (ageFraction > rng.uniform(0.4, 1.2))
+    guides.push(line(main - 3.8, [-2, rng.uniform(5, 11)], rng.uniform(-1, 1), 2.2, rng.uniform(0.25, 0.4)))
   return {
     name: `glabella${name}`,
     cause: { [`browDown${name}`]: 1, [`browDown${side > 0 ? 'Right' : 'Left'}`]: 0.5 },
     guides,
     spacing: 11,
     creasedFraction: byAge(0.6, 1),
-    maxDepth: byAge(1.1, 2.1),
+    maxDepth: byAge(1.2, 2.3),
     atRest: 0.35,
     reach: 5,
     feather: 6,
-    influence: ([across]) => smoothstep((side * across + MIDDLE) / (2 * MIDDLE)),
+    influence: ([across]) => fade(side * across, -MIDDLE, MIDDLE),
   }
 }
 
 function noseRoot({ landmarks, ageFraction, byAge, rngOf }: FaceContext): FaceRegion {
   const rng = rngOf('noseRoot')
-  const level = landmarks.eye[1] + 2
-  const line = (up: number, half: number, width: number, depth: number): Guide => ({
-    path: bezierPath(1, [-half, up - 1.2], [-half / 3, up + 0.8], [half / 3, up + 0.8], [half, up - 1.2]),
-    width,
-    depth,
-    taper: [0.45, 0.45],
-    shoulder: [0.9, 0.9],
-    softness: 0.65,
-  })
-  const guides = [line(level + rng.jitter(0.6), 9, byAge(2.5, 3), 1)]
-  if (ageFraction > 0.35) guides.push(line(level - 4.6, 6.5, 2.4, 0.5))
+  const middle = landmarks.eye[1] + 2 + rng.jitter(2)
+  const tilt = rng.across(2.2)
+  const line = (up: number, half: number, width: number, depth: number): Guide => {
+    const [centre, arch] = [rng.across(2.2), rng.uniform(-0.6, 2.2)]
+    return {
+      path: bezierPath(
+        1,
+        [centre - half, up - tilt - arch / 2],
+        [centre - half / 3, up - tilt / 3 + arch / 2],
+        [centre + half / 3, up + tilt / 3 + arch / 2],
+        [centre + half, up + tilt - arch / 2],
+      ),
+      width,
+      depth,
+      taper: [0.45, 0.45],
+      shoulder: [0.9, 0.9],
+      softness: 0.65,
+    }
+  }
+  const guides = [line(middle, rng.uniform(7, 10), byAge(2.5, 3), 1)]
+  if (ageFraction > rng.uniform(0.15, 0.55))
+    guides.push(line(middle - rng.uniform(4, 5.5), rng.uniform(5, 8), 2.4, rng.uniform(0.4, 0.7)))
+  if (ageFraction > rng.uniform(0.5, 1.1))
+    guides.push(line(middle + rng.uniform(4, 5.5), rng.uniform(4, 6), 2.2, rng.uniform(0.25, 0.45)))
   return {
     name: 'noseRoot',
     cause: { browDownLeft: 1, browDownRight: 1, noseSneerLeft: 0.5, noseSneerRight: 0.5 },

@@ -4,7 +4,7 @@ import type { AutoRegion } from './region-names.ts'
 
 /** Facial measurement outside the human range. It makes the landmarks of some regions unreliable. */
 export interface ImplausibleMeasure {
-  /** Text about the measurement, to be used in a sentence. */
+  /** Clause for a message, such as "the eyes are 50 mm wide, not 15 to 46". */
   description: string
   /** Regions whose landmarks are unreliable. */
   regions: readonly AutoRegion[]
@@ -15,7 +15,7 @@ type MeasuredFace = Pick<DetectedFace, 'landmarks' | 'surface'>
 interface Measure {
   name: string
   measure: (face: MeasuredFace) => number
-  /** Accepted range in millimetres, on heads scaled to eyes 63 mm apart. */
+  /** Accepted range in millimetres, on heads that are scaled so that the eyes are 63 mm apart. */
   range: readonly [low: number, high: number]
   /** Regions that rely on the measurement. */
   regions: readonly AutoRegion[]
@@ -30,37 +30,37 @@ const MEASURES: readonly Measure[] = [
     name: 'the eyes are %s wide',
     measure: ({ landmarks: { innerCorner, outerCorner } }) => outerCorner[0] - innerCorner[0],
     range: [15, 46],
-    regions: ['crowsFeet', 'underEye'],
+    regions: ['crowsFeet', 'underEye', 'bag', 'hood'],
   },
   {
     name: 'the nose protrudes by %s',
     measure: ({ landmarks: { tip, eye } }) => tip[2] - eye[2],
     range: [12, 70],
-    regions: ['nose', 'noseRoot', 'nasolabial'],
+    regions: ['nose', 'noseRoot', 'nasolabial', 'cheek'],
   },
   {
     name: 'the mouth is %s below the eyes',
     measure: ({ landmarks: { mouthCorner, eye } }) => eye[1] - mouthCorner[1],
     range: [38, 110],
-    regions: ['nasolabial', 'mouthCorner', 'upperLip', 'lowerLip', 'chin', 'neck'],
+    regions: ['nasolabial', 'mouthCorner', 'upperLip', 'lowerLip', 'chin', 'neck', 'cheek', 'jowl'],
   },
   {
     name: 'the brows are %s above the eyes',
     measure: ({ landmarks: { innerBrow, outerBrow, eye } }) => (innerBrow[1] + outerBrow[1]) / 2 - eye[1],
     range: [3, 40],
-    regions: ['foreheadInner', 'foreheadOuter', 'glabella', 'noseRoot'],
+    regions: ['foreheadInner', 'foreheadOuter', 'glabella', 'noseRoot', 'hood'],
   },
   {
     name: 'the mouth protrudes by %s',
     measure: muzzleOf,
     range: [-40, 15],
-    regions: ['nose', 'nasolabial', 'mouthCorner', 'upperLip', 'lowerLip', 'chin', 'neck'],
+    regions: ['nose', 'nasolabial', 'mouthCorner', 'upperLip', 'lowerLip', 'chin', 'neck', 'cheek', 'jowl'],
   },
 ]
 
 /**
- * Reference for the angle, in radians, by which skin above the eyes faces upwards if the line from eyes to mouth is vertical. Human heads
- * have 9 to 23 degrees; a smaller angle means that the mouth protrudes.
+ * Typical angle, in radians, by which the skin above the eyes faces upwards when the line from eyes to mouth is vertical. The angle of human
+ * heads is 9 to 23 degrees. A smaller angle means that the mouth protrudes.
  */
 const LEAN = 0.24
 // Box of the skin above the eyes, in millimetres.
@@ -72,8 +72,8 @@ const BESIDE = 45
 const BEHIND = 30
 
 /**
- * Returns how far the mouth protrudes beyond the mouth of a human face, in millimetres. The measure is the angle between the line from eyes
- * to mouth and the skin above the eyes.
+ * Returns how far the mouth protrudes in comparison with a human face, in millimetres. The result is derived from the angle between the
+ * line from eyes to mouth and the skin above the eyes.
  */
 function muzzleOf({
   landmarks: { eye, mouthCorner },
@@ -93,7 +93,6 @@ function muzzleOf({
   return ((eye[1] - mouthCorner[1]) * sin(lean)) / cos(lean)
 }
 
-/** Returns the measurements of a face that are outside the human range. */
 export function implausibleMeasures(face: MeasuredFace): ImplausibleMeasure[] {
   return MEASURES.flatMap(({ name, measure, range: [low, high], regions }) => {
     const value = measure(face)

@@ -1,5 +1,5 @@
-/** Regions of a face that crease. A region's area has the same name, followed by `Left` or `Right` if both sides have an area. */
-export const AUTO_REGIONS = [
+/** Regions of a face that get wrinkle lines. */
+export const LINE_REGIONS = [
   'foreheadInner',
   'foreheadOuter',
   'glabella',
@@ -15,5 +15,17 @@ export const AUTO_REGIONS = [
   'neck',
 ] as const
 
-/** Name of a region of the face for which {@link autoWrinkles} makes wrinkles. */
+/** Regions of a face that bulge with age: bags under the eyes, hoods of the upper lids, cheeks over the nasolabial folds, and jowls. */
+export const BULGE_REGIONS = ['bag', 'hood', 'cheek', 'jowl'] as const
+
+/**
+ * Regions of a face that get wrinkles or bulges. A region's area of influence has the region's name, followed by `Left` or `Right` if the two
+ * halves of the face have separate areas.
+ */
+export const AUTO_REGIONS = [...LINE_REGIONS, ...BULGE_REGIONS] as const
+
+/** Name of a region of the face for which {@link autoWrinkles} makes wrinkles or bulges. */
 export type AutoRegion = (typeof AUTO_REGIONS)[number]
+
+/** Name of a region that bulges with age. */
+export type BulgeName = (typeof BULGE_REGIONS)[number]

@@ -1,7 +1,10 @@
 import { bezierAt } from '../../../math/bezier.ts'
-import type { Rng } from '../../../math/rng.ts'
+import { smoothstep } from '../../../math/scalar.ts'
+import { unit2 } from '../../../math/vector.ts'
+import type { FilmNoise } from '../buckling/film-noise.ts'
 import { type ChartPoint, unroll } from '../surface/head-chart.ts'
 import type { LandmarkPosition, Landmarks } from '../surface/landmarks.ts'
+import type { FaceRng } from './face-rng.ts'
 
 /** Cross-section of a wrinkle line, and how the line fades at its ends. */
 export interface LineStyle {
@@ -9,7 +12,7 @@ export interface LineStyle {
   width: number
   /** Depth relative to the depth of the region's deepest line, 0..1. */
   depth: number
-  /** Fractions of the length over which the line fades in and out. */
+  /** Lengths of the fade-in at the start and the fade-out at the end, as fractions of the line's length. */
   taper: readonly [start: number, end: number]
   /** Strengths of the raised banks on the left and right of the line, 0..1. */
   shoulder: readonly [left: number, right: number]
@@ -17,17 +20,17 @@ export interface LineStyle {
   lean?: number
   /** Roundness of the valley's bottom, 0..1. */
   softness: number
-  /** Whether the line is a dimple. Dimples have random directions, so the compression across them means nothing and is not measured. */
+  /** Whether the line is a dimple. Compression is not measured across dimples, because their directions are random. */
   isDimple?: boolean
 }
 
-/** Part of the skin that creases together and gets one area of influence. */
+/** Part of the face's skin that has its own area of influence. */
 export interface SkinRegion {
   /** Name of the area. */
   name: string
-  /** Weights of the blendshapes that crease the region most, by ARKit names or by names of the rig. */
+  /** Weights of the blendshapes that crease the region most. The keys are ARKit names, or the rig's own names. */
   cause: Readonly<Record<string, number>>
-  /** ARKit names of the original cause, if `cause` has blendshapes of the rig that replace missing ARKit shapes. */
+  /** ARKit names that `cause` had before blendshapes of the rig replaced missing ARKit shapes. */
   shapes?: readonly string[]
   /** Distance between lines in millimetres. One line takes up the compression of the skin over this distance. */
   spacing: number
@@ -38,15 +41,15 @@ export interface SkinRegion {
   /** Fraction of the depth that remains at rest on a face of 70 years, 0..1. If missing, the lines vanish at rest at any age. */
   atRest?: number
   /**
-   * Compression of skin by muscles that pucker it, if blendshapes do not show this compression. If set, it replaces the measured compression,
-   * and `cause` alone drives the area.
+   * Minimum compression in the region's expression, for regions whose blendshapes show little of the muscle's pull. If set, `cause` alone drives
+   * the area, whatever the measured compression is.
    */
   assumedCompression?: number
   /** Distance from the lines, in millimetres, at which the area starts to fade out. */
   reach: number
   /** Distance over which the area fades out, in millimetres. */
   feather: number
-  /** Returns a factor on the area's weight at a point, 0..1. Several areas that show parts of the same lines have such a factor. */
+  /** Returns a factor on the area's weight at a point, 0..1. With it, several areas can each show a different part of the same lines. */
   influence?: (point: ChartPoint) => number
 }
 
@@ -54,34 +57,65 @@ export interface SkinRegion {
 export interface Guide extends LineStyle {
   path: readonly ChartPoint[]
   /**
-   * Width of skin in millimetres whose compression the line takes up. Positive: skin on the left of the line; negative: skin on the right.
-   * Default: the compression is measured on the line.
+   * Width, in millimetres, of the strip of skin beside the line that the line gathers. Positive: on the left of the line; negative: on the
+   * right. The compression is measured in this strip. Default: it is measured on the line.
    */
   gathers?: number
 }
 
-/** Region of a face, with the paths of its lines. */
-export interface FaceRegion extends SkinRegion {
+/** Skin that buckles under compression, see `buckle`. */
+export interface SkinFilm {
+  /** Origin of the skin's random variation, on the head's chart. */
+  centre: ChartPoint
+  /** Returns whether a point is inside the patch that is flattened to a plane: the compressed skin and a margin around it. */
+  isFlattened(point: ChartPoint): boolean
+  /** Returns the weight of the compression at a point, 0..1. It falls to 0 where the muscle ends. */
+  weight(point: ChartPoint): number
+  /** Returns the thickness of the dermis at a point, in millimetres. */
+  thickness(point: ChartPoint): number
+  /** Returns the unit direction of the muscle's pull at a point, on the head's chart. */
+  pull(point: ChartPoint): ChartPoint
+  /** Random variation of the skin: relative amounts for thickness and critical compression, and the size of the bumps in millimetres. */
+  variation: { thickness: number; critical: number; size: number }
+  /** Irregularities of the skin, mirrored from side to side on a symmetric face. */
+  noise: FilmNoise
+  /** Style of the deepest line. */
+  style: LineStyle
+}
+
+/** Region of a face whose lines follow anatomical paths. */
+export interface GuidedRegion extends SkinRegion {
   guides: readonly Guide[]
-  /** Weights of the blendshapes in whose pose the lines are computed, if several regions share lines. Default: `cause`. */
+  /** Blendshape weights of the pose in which the lines are computed. Needed if several regions share lines. Default: `cause`. */
   expression?: SkinRegion['cause']
 }
 
-/** Data about a face from which its regions are created. */
+/** Region of a face whose lines emerge from compressed skin. */
+export interface BucklingRegion extends SkinRegion {
+  film: SkinFilm
+  expression?: SkinRegion['cause']
+}
+
+/** Region of a face. */
+export type FaceRegion = GuidedRegion | BucklingRegion
+
+/** Input for creating the regions of a face. */
 export interface FaceContext {
   landmarks: Landmarks
   /** Age as a number from 0 (20 years) to 1 (80 years). */
   ageFraction: number
   /** Interpolates linearly between a value at 20 years and a value at 80 years. */
   byAge(at20: number, at80: number): number
-  /** Returns a random number generator for one part of the face. */
-  rngOf(name: string): Rng
+  /** Returns the distance of the outermost skin from the head's axis in millimetres; undefined without skin. */
+  radiusAt(point: ChartPoint): number | undefined
+  /** Returns a random number generator for one part of the face; see `FaceRng.of`. */
+  rngOf(name: string): FaceRng
 }
 
 /** Side of the face: 1 for the person's left, -1 for the person's right. */
 export type Side = 1 | -1
 
-/** Both sides, with the suffixes that ARKit names have. */
+/** Both sides, with their suffixes in ARKit names. */
 export const SIDES = [
   [1, 'Left'],
   [-1, 'Right'],
@@ -109,4 +143,21 @@ export function bezierPath(
     const [across, up] = bezierAt(a, b, c, d, t)
     return [side * across, up]
   })
+}
+
+/** Returns a smooth step from 0 at `from` to 1 at `to`, which may be smaller than `from`. */
+export function fade(value: number, from: number, to: number): number {
+  return smoothstep((value - from) / (to - from))
+}
+
+/**
+ * Returns the pull of a muscle that surrounds a point, for `SkinFilm.pull`. If `flattening` is 1, the folds lie on lines through the point.
+ *
+ * @param flattening factor on the slope of the folds.
+ */
+export function pullAround([x, y]: ChartPoint, flattening = 1): SkinFilm['pull'] {
+  return ([across, up]) => {
+    const [dx, dy] = unit2(across - x, flattening * (up - y))
+    return [-dy, dx]
+  }
 }

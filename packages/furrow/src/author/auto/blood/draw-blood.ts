@@ -16,19 +16,19 @@ import { poseOf } from '../surface/pose.ts'
 import type { PreparedSkin } from '../surface/prepare-skin.ts'
 import { type Flush, fadeOf, flushesOf } from './flushes.ts'
 
-/** Area of influence that shows only blood. */
+/** Area of influence that shows only blood: reddened or pale skin. */
 export interface BloodArea {
   name: string
   /** Index of the area's layer. */
   layer: number
   weights: GrayImage
-  /** The morph driver activates the area; the time driver delays the activation. */
+  /** The morph driver activates the area when blendshapes move. The time driver delays the activation. */
   drivers: [MorphDriver, TimeDriver]
 }
 
 /** Blood maps of automatic wrinkles, and areas that show only blood. */
 export interface AutoBlood {
-  /** Optical depth, in the green channel, of value 255 in the maps of all layers. */
+  /** Optical depth of blood, for green light, where a map has the value 255. */
   amplitude: number
   /** One map per layer. */
   maps: GrayImage[]
@@ -36,8 +36,8 @@ export interface AutoBlood {
 }
 
 /**
- * Distance in millimetres over which a flush fades out towards lines of its layer. It must not overlap the areas of these lines, because they
- * would show the flush without its delay.
+ * Distance in millimetres over which a flush (a part of the face that reddens or turns pale) fades out towards the areas of wrinkle lines in
+ * its layer. If a flush overlapped these areas, they would show it without its delay.
  */
 const LINE_FADE = 4
 
@@ -48,16 +48,14 @@ export interface BloodSource {
   /** Texels of the areas' maps. */
   areaTexels: SkinTexels
   layers: readonly { heights: HeightMap }[]
-  /** Regions with their lines. */
   regions: readonly CreasedRegion[]
   /** Index of each region's layer. */
   layerOf: readonly number[]
 }
 
 /**
- * Draws the blood map of each layer. Valleys of wrinkles get more blood, so they look slightly darker. Flushes (parts of a face that redden
- * or turn pale) get areas of their own, because blood reacts more slowly than wrinkles. A flush is drawn on the layer that has the fewest
- * lines near it.
+ * Draws the blood map of each layer. Valleys of wrinkles get more blood, so they look slightly darker. Flushes get separate areas, because
+ * blood reacts more slowly than wrinkles. A flush is drawn on the layer where it overlaps the areas of lines least.
  *
  * @param strength factor on the amplitude.
  */
@@ -81,7 +79,7 @@ export function neutralBlood(size: number): GrayImage {
   return { width: size, height: size, data: new Uint8Array(size * size).fill(BLOOD_AT_REST) }
 }
 
-/** Adds the flushes that the face's blendshapes can cause to the layers' blood maps, and draws their areas. */
+/** Adds flushes to the blood maps of the layers, and draws the areas of the flushes. Skips flushes that no blendshape of the face causes. */
 function drawFlushes(
   face: DetectedFace,
   flushes: readonly Flush[],
@@ -163,8 +161,8 @@ function addFlush(texels: SkinTexels, flush: Flush, lines: LineAreas, { data }: 
  * Visits the texels of a flush.
  *
  * @param lines lines of the flush's layer. The flush fades out towards their areas.
- * @param visit receives the square root of the flush's strength, 0..1. The square root is used for the blood map and for the area's weight,
- *   which are multiplied when drawn.
+ * @param visit receives as `share` the square root of the flush's strength, 0..1. Blood map and area both use the square root, because
+ *   they are multiplied when drawn.
  */
 function visitFlush(
   texels: SkinTexels,
@@ -184,7 +182,7 @@ function visitFlush(
   })
 }
 
-/** Returns a function that tests whether a flush may reach into a box, given by its lowest and highest x, y and z. */
+/** Returns a function that tests whether a flush may reach into a box. The box is given by its lowest and highest x, y and z. */
 function isNear({ centre, radii }: Flush): (low: Float64Array, high: Float64Array) => boolean {
   return (low, high) => {
     const isBeside = high[1] < centre[1] - radii[1] || low[1] > centre[1] + radii[1] || high[2] <= -60

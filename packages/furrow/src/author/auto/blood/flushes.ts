@@ -4,11 +4,10 @@ import type { Landmarks } from '../surface/landmarks.ts'
 
 /** Part of a face that an expression reddens or turns pale. */
 export interface Flush {
-  /** Name of the flush's area. */
   name: string
-  /** Names of areas with lines. The flush is drawn only if at least one of them exists. */
+  /** Names of areas with wrinkle lines. The flush is drawn only if at least one of these areas exists. */
   areas: readonly string[]
-  /** Centre of an ellipse on the head's chart, in millimetres. The flush is strongest at the centre. */
+  /** Centre of an ellipse on the head's chart (the head unrolled into a plane), in millimetres. The flush is strongest at the centre. */
   centre: ChartPoint
   /** Radii of the ellipse, in millimetres. The flush ends at the edge of the ellipse. */
   radii: ChartPoint
@@ -36,16 +35,16 @@ function causeOf(weights: Readonly<Record<string, number>>, ends: readonly strin
 /** Skin over a working muscle reddens within seconds, and stays red for longer. */
 const REDDENING = { attack: 1.2, release: 4 }
 /**
- * Pressed skin turns pale at once, and blood refills it within about a second. The upper limits of normal are 1.0 s in men, 1.2 s in women
- * and 4.5 s in the elderly (Schriger, Baraff 1988).
+ * Pressed skin turns pale at once, and blood refills it within about a second. The upper limits of normal refill times are 1.0 s in men,
+ * 1.2 s in women and 4.5 s in the elderly (Schriger, Baraff 1988).
  */
 const PRESSING = { attack: 0.08, release: 0.9 }
 
 /**
  * Returns the flushes of a face: red skin between the brows, beside the nose and on the cheeks, and pale lips when the mouth is pressed.
  *
- * @param isMirrored whether the left and the right half of the face share texels. Both sides then have one area, which the blendshapes of
- *   each side activate by half.
+ * @param isMirrored whether the left and the right half of the face share texels. If so, both sides share an area, and the blendshapes of
+ *   one side activate it to 0.5.
  */
 export function flushesOf(landmarks: Landmarks, isMirrored: boolean): Flush[] {
   const at = ([x, y, z]: Landmarks['eye']) => unroll(x, y, z)

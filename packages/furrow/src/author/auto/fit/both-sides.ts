@@ -4,12 +4,12 @@ import type { SkinRegion } from '../anatomy/region.ts'
 import type { PreparedSkin } from '../surface/prepare-skin.ts'
 import { type FittedRegion, type MissingRegion, roundWeight } from './fit-driver.ts'
 
-/** Distance from the middle of the face, in millimetres, at which left areas have no more transition to right areas. */
+/** The transition between a left and a right area lies within this distance from the middle of the face, in millimetres. */
 const MIDDLE = 5
 
 /**
- * Merges the areas of a face whose left and right halves share texels. Only the left areas remain, because their texels show on both sides.
- * The blendshapes of both sides drive them.
+ * Merges the regions of a face whose left and right halves share texels. Only the left regions remain, because their texels show on both sides.
+ * The blendshapes of both sides drive the areas of these regions.
  */
 export function mergeSides(
   fitted: readonly FittedRegion[],

@@ -9,7 +9,7 @@ import type { PreparedSkin } from '../surface/prepare-skin.ts'
 import { makeGauge, measureCompression, vectorsAcross } from './gauge.ts'
 import { type Bounds, boundedLeastSquares } from './least-squares.ts'
 
-/** Region with its driver. */
+/** Region of skin, with the driver that computes the activation of its area of influence. */
 export interface FittedRegion extends CreasedRegion {
   driver: MorphDriver
   /** Root mean square error of the driver's activation over the poses that it was fitted to, 0..1; 0 if the driver was not fitted. */
@@ -20,36 +20,36 @@ export interface FittedRegion extends CreasedRegion {
 export interface MissingRegion {
   /** Name that the region's area would have. */
   name: string
-  /** Reason, to be used in a sentence. */
+  /** Reason: a clause for a message. */
   reason: string
 }
 
-/** Compression up to which skin has no line, as a fraction of the compression with full activation. */
+/** Compression up to which skin shows no line, as a fraction of the compression at full activation. */
 const ONSET = 0.12
 /** Minimum compression of a region that creases. */
 const MIN_COMPRESSION = 0.012
-/** Activation is full at least at this fraction of the largest compression by a single target. */
+/** The compression at full activation is at least this fraction of the largest compression by a single target (blendshape). */
 const SINGLE_TARGET = 0.7
-/** Maximum number of targets per driver. */
 const MAX_TARGETS = 12
 /** Minimum compression by a target that a driver uses, as a fraction of the strongest target's compression. */
 const NEGLIGIBLE = 0.08
 /** Number of poses that a driver is fitted to. Most poses are combinations of targets. */
 const POSES = 120
-/** Maximum weight of a target in the region's cause, as a multiple of its weight in the cause. */
+/** Maximum weight that a driver gives to a target of `SkinRegion.cause`, as a multiple of the target's weight in `cause`. */
 const MAX_CAUSE = 1.2
-/** Maximum weight of other targets. */
+/** Maximum weight that a driver gives to other targets. */
 const MAX_OTHER = 0.5
-/** Minimum weight of targets outside the cause. */
+/** Minimum weight that a driver gives to other targets. */
 const MIN_WEIGHT = -1
-/** Shapes that stretch skin or roll it over bone. Skin that they push together slides instead of folding. */
+/** Shapes that stretch skin or roll it over bone. If such a shape pushes skin together, the skin slides instead of folding. */
 const TAUT = /^(jaw|tongue|eyeLook|eyeWide|cheekPuff|mouth(Left|Right|Close|Roll))/
 
 /**
  * Fits a region's driver to the compression of skin by targets. The driver should activate the area in each pose according to the measured
- * compression across the lines, relative to the compression with full activation. `cause` is the region's cause as a pose.
+ * compression across the lines, relative to the compression at full activation.
  *
- * @returns a reason, to be used in a sentence, if the region cannot crease.
+ * @param cause pose that creases the region most (`SkinRegion.cause`).
+ * @returns the region with its driver. If the region cannot crease, returns the reason: a clause for a message.
  */
 export function fitDriver(
   {
@@ -64,8 +64,11 @@ export function fitDriver(
 ): FittedRegion | string {
   const { region, folds, creases } = creased
   const shapes = Object.keys(region.cause).join(', ')
-  if (creases.length === 0) return 'the mesh has no skin where its lines begin'
   if (cause.size === 0) return `no blendshape is ${(region.shapes ?? []).join(' or ')} or stands in for it`
+  if (creases.length === 0)
+    return 'film' in region
+      ? `${shapes} compress the skin too little to fold it`
+      : 'the mesh has no skin where its lines begin'
   if (region.assumedCompression !== undefined) {
     const targets = [...cause].map(([target, weight]) => ({ name: names[target], weight }))
     return { ...creased, driver: driverOf(region, targets), error: 0 }
@@ -90,7 +93,7 @@ export function fitDriver(
     const moved = [...pose].map(([target, weight]) => ({ vectors: vectorsOf(target), weight }))
     return measureCompression(gauge, rest, moved)
   }
-  // Compression with full activation: that of the cause, or most of the strongest single target's compression if this is larger.
+  // Compression at full activation: the cause's compression, or a fraction of the largest compression by a single target if this is larger.
   const full = compressions.reduce(
     (largest, value, target) => Math.max(largest, bounds[target][1] > 0 ? SINGLE_TARGET * value : 0),
     measure(cause),
@@ -135,7 +138,7 @@ function driverOf({ name }: SkinRegion, targets: MorphDriver['targets']): MorphD
   }
 }
 
-/** Evaluates the curve of drivers that `fitDriver` creates. The compression is relative to the compression with full activation. */
+/** Evaluates the curve of the drivers that `fitDriver` creates. The compression is relative to the compression at full activation. */
 export function activationOf(relativeCompression: number): number {
   return clamp((relativeCompression - ONSET) / (1 - ONSET), 0, 1)
 }

@@ -5,18 +5,15 @@ import { standInsOf } from '../surface/stand-ins.ts'
 import { mergeMissingSides, mergeSides } from './both-sides.ts'
 import { type FittedRegion, fitDriver, type MissingRegion } from './fit-driver.ts'
 
-/** Result of `fitDrivers`. */
 export interface FittedSkin {
-  /** Regions that get an area. */
   regions: readonly FittedRegion[]
-  /** Regions that get no area. */
   missing: readonly MissingRegion[]
-  /** Complete sentences without a full stop. */
+  /** Each warning is a complete sentence without a full stop. */
   warnings: readonly string[]
 }
 
 /**
- * Fits a driver to each region.
+ * Fits a driver to each region of skin with wrinkle lines. A driver computes an activation from blendshape weights.
  *
  * @param maxAreas maximum number of areas. Regions with the least compression are dropped.
  * @param report called with the finished fraction of the work.
@@ -30,7 +27,7 @@ export function fitDrivers(
   const { face, known, hints, find, isMirrored } = prepared
   const fitted: FittedRegion[] = []
   const missing: MissingRegion[] = []
-  /** Causes, as texts to compare, of regions that have lines but no driver. */
+  /** For each region that has lines but no driver, its cause as a text, so that causes can be compared. */
   const failed = new Map<string, string>()
   const causeOf = ({ region }: CreasedRegion) => poseOf(find, region.cause)
   for (const [i, region] of creased.entries()) {

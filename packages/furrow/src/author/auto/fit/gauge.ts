@@ -5,19 +5,19 @@ import { LineGrid } from '../../strokes/line-grid.ts'
 import type { SkinRegion } from '../anatomy/region.ts'
 import { unroll } from '../surface/head-chart.ts'
 
-/** Maximum number of triangles per region. Further triangles would hardly change the mean. */
+/** Maximum number of triangles per region. Further triangles would hardly change the mean compression. */
 const MAX_TRIANGLES = 10_000
 
-/** Data to measure how far poses compress a region's skin across the region's lines. */
+/** Data to measure by which fraction a pose compresses the skin of a region. The compression is measured across the region's lines. */
 export interface Gauge {
   /** Three points per triangle near the lines. */
   corners: Uint32Array
   /**
-   * Unit vector across the nearest line for each triangle. The two numbers are multiples of the edges from the first corner to the second and
-   * the third.
+   * For each triangle, the unit vector across the nearest line, stored as two factors. The first factor multiplies the edge from the first to
+   * the second corner. The second factor multiplies the edge from the first to the third corner.
    */
   across: Float64Array
-  /** Weight of each triangle in the mean. */
+  /** Weight of each triangle in the mean compression. */
   weights: Float64Array
 }
 
@@ -87,7 +87,7 @@ function centroidOf({ points, corners }: SkinSurface, triangle: number, out: Flo
   for (let k = 0; k < 3; k++) out[k] = (points[a + k] + points[b + k] + points[c + k]) / 3
 }
 
-/** Normalises the vector v, which is in a triangle's plane, and returns it in multiples of the edges from a to b and from a to c. */
+/** Normalises the vector v, which is in a triangle's plane. Returns it as factors on the edges from a to b and from a to c. */
 function inEdges(points: ArrayLike<number>, a: number, b: number, c: number, v: ArrayLike<number>) {
   let [uu, uw, ww, uv, wv, vv] = [0, 0, 0, 0, 0, 0]
   for (let k = 0; k < 3; k++) {
@@ -109,7 +109,7 @@ function inEdges(points: ArrayLike<number>, a: number, b: number, c: number, v: 
 /**
  * Computes the vector across the line in each triangle of a gauge. At rest, it has length 1.
  *
- * @param values packed xyz per point: positions, or offsets to compute how they change the vectors.
+ * @param values packed xyz per point: positions, or the offsets of a target. For offsets, the result is the change of the vectors.
  * @param out receives x, y and z for each triangle of the gauge.
  */
 export function vectorsAcross(
@@ -130,10 +130,10 @@ export function vectorsAcross(
 }
 
 /**
- * Returns the mean fraction of length that skin loses across the lines in a pose; negative if the skin is stretched.
+ * Returns the mean compression of the skin in a pose, as a fraction of its length across the lines. Stretched skin has a negative compression.
  *
- * @param rest `vectorsAcross` of the positions at rest.
- * @param moved for each target of the pose, its weight and `vectorsAcross` of its offsets.
+ * @param rest result of `vectorsAcross` for the positions at rest.
+ * @param moved for each target of the pose, its weight and the result of `vectorsAcross` for its offsets.
  */
 export function measureCompression(
   { weights }: Gauge,

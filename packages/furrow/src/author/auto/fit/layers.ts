@@ -4,12 +4,12 @@ import type { SkinLine } from '../../strokes/curve.ts'
 import { LineGrid } from '../../strokes/line-grid.ts'
 import type { CreasedRegion } from '../lines/crease.ts'
 
-/** Two lines cross if the angle between them is at least 35 degrees. */
+/** Two nearby lines count as crossing if the angle between them is at least 35 degrees. */
 const CROSSING = cos((35 * Math.PI) / 180)
 
 /**
- * Assigns regions to layers. Regions whose lines cross get different layers, because skin in a layer creases in one way only. The left and
- * the right region of a pair, and regions that share lines, get the same layer.
+ * Assigns regions of skin to layers. Regions whose wrinkle lines cross get different layers, because an area of influence shows all lines of
+ * its layer. The left and the right region of a pair, and regions that share lines, get the same layer.
  *
  * @param maxLayers maximum number of layers, 1..4. If more would be needed, the regions with the fewest crossings share a layer.
  * @returns index of each region's layer.
@@ -66,7 +66,6 @@ function countCrossings({ creases }: CreasedRegion, other: CreasedRegion, grid: 
   return count
 }
 
-/** Returns the absolute cosine of the angle between segments of two lines. */
 function cosineBetween(one: SkinLine, i: number, other: SkinLine, k: number): number {
   readSegment(a, one, i)
   readSegment(b, other, k)

@@ -1,7 +1,7 @@
 import { clamp } from '../../../math/scalar.ts'
 
 const ITERATIONS = 60
-/** Weight of the prior, per row of the matrix (Tikhonov regularisation). */
+/** Weight of the term with the prior, per row of the matrix (Tikhonov regularisation). */
 const RIDGE = 0.02
 
 export type Bounds = readonly [low: number, high: number]

@@ -24,15 +24,15 @@ export interface FurrowArea {
   driver: MorphDriver
 }
 
-/** Pattern of fine furrows of a face. It has the last layer for itself. */
+/** Pattern of fine furrows of a face. The last layer contains only this pattern. */
 export interface AutoFurrows {
-  /** Parameters of the pattern, as in a strokes document. `addFurrows` draws it, given the strokes of all layers. */
+  /** Parameters of the pattern, as in a strokes document. `addFurrows` draws the pattern from them and the strokes of all layers. */
   furrows: Furrows
   areas: FurrowArea[]
 }
 
 /**
- * Draws the layer with the fine furrows of a face, and their areas.
+ * Draws the layer with the fine furrows of a face, and the areas of influence that show them.
  *
  * @param drawn layers with wrinkle lines. The furrows follow these lines.
  */
@@ -42,7 +42,7 @@ export function drawNet(
   { layers, areaTexels }: Pick<AutoMaps, 'layers' | 'areaTexels'>,
   { size, frame }: MapSettings,
 ): { layer: AutoLayer; net: AutoFurrows } {
-  // The pattern depends on the coordinate system. Mesh coordinates are used, as for drawing a strokes document, so that both are equal.
+  // The pattern depends on the coordinate system. Use mesh coordinates, so that drawing the strokes document later repeats the pattern.
   const canvas = skinCanvas(prepared.skin, size, size, prepared.scale)
   const { heights, occlusion } = flatSkin(size, size)
   addFurrows(

@@ -2,8 +2,8 @@ import type { Curve } from '../../../drivers/curve.ts'
 import type { MorphDriver } from '../../../drivers/morph/definition.ts'
 import { roundWeight } from '../fit/fit-driver.ts'
 import { visibility } from '../raster/visibility.ts'
-import { compressionTensors, TENSOR_SIZE } from '../strain/tensors.ts'
 import type { DetectedFace } from '../surface/detect-face.ts'
+import { compressionTensors, TENSOR_SIZE } from '../surface/tensors.ts'
 import { netWeights } from './net-weights.ts'
 import { AT_REST, type PlannedRegion } from './plan-net.ts'
 
@@ -13,15 +13,15 @@ const SQUEEZED = 0.12
 const PULLED = 0.2
 /** Activation of the smoothest furrows. */
 const SMOOTH = 0.1
-/** Minimum fraction of the skin's area by which a target changes it. Other targets are ignored. */
+/** Targets (blendshapes) that change the skin's area by less than this fraction are ignored. */
 const NEGLIGIBLE = 0.004
-/** Maximum number of targets per driver. */
 const MAX_TARGETS = 24
 
 /**
  * Creates the drivers of fine furrows. Compressed skin gets rougher, and stretched skin smoother (Nagano et al. 2015, Skin microstructure
- * deformation with displacement map convolution). For each region, the function measures the fraction of area that the skin loses by each
- * target. This fraction is nearly linear in the targets' weights, so a weighted sum of the targets drives the region's area.
+ * deformation with displacement map convolution). For each region, the function measures by which fraction each target
+ * (blendshape) shrinks the area of the skin. This fraction is nearly linear in the target's weight, so a linear combination of the targets'
+ * weights activates the furrows.
  */
 export function netDrivers(
   { chart, surface, offsets, names }: DetectedFace,
@@ -66,7 +66,7 @@ export function netDrivers(
   }))
 }
 
-/** Returns the links with the largest weights, sorted from large to small. */
+/** Returns the targets with the largest weights, sorted from large to small. */
 function strongest(links: readonly { name: string; weight: number }[]): MorphDriver['targets'] {
   return links
     .filter(({ weight }) => Math.abs(weight) >= NEGLIGIBLE)

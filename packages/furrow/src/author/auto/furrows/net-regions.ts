@@ -9,7 +9,7 @@ export interface NetRegion {
   name: string
   /** The part gets furrows if the user requested at least one of these regions. */
   regions: readonly AutoRegion[]
-  /** Spheres that contain the part. Centres are points of the head's chart, radii are in millimetres. */
+  /** Spheres that contain the part. Centres are on the head's chart (the head unrolled into a plane), radii in millimetres. */
   spheres: readonly { centre: ChartPoint; radius: number }[]
   /** Size of the cells between furrows, in millimetres. */
   size: number
@@ -17,7 +17,7 @@ export interface NetRegion {
   depth: number
 }
 
-/** Sizes of the cells between furrows, and depths of the furrows, at 30 years, in millimetres. */
+/** Sizes of the cells between furrows, and depths of the furrows, at the age of 30, in millimetres. */
 const AT_30 = {
   forehead: { size: 1.3, depth: 0.04 },
   brows: { size: 1.3, depth: 0.04 },
@@ -29,9 +29,9 @@ const AT_30 = {
 } as const
 
 /**
- * Factors on the values at 30 years, by age. The depth is constant until 40, grows from 50, and has doubled after 80, while the number of
- * furrows falls (Corcuff et al. 1983, Skin relief and aging). The furrows align increasingly in one direction (Lagarde et al. 2005,
- * Topography and anisotropy of the skin surface with ageing); `stretch` is the ratio of a cell's length to its width.
+ * Factors on the values of `AT_30`, by age. The depth is constant until the age of 40, then grows, and has doubled at 80. The number of
+ * furrows falls (Corcuff et al. 1983, Skin relief and aging). With age, more and more furrows have the same direction (Lagarde et al. 2005,
+ * Topography and anisotropy of the skin surface with ageing). `stretch` is the ratio of a cell's length to its width.
  */
 const BY_AGE = [
   { years: 20, size: 1, depth: 1, stretch: 1.25 },
@@ -40,7 +40,6 @@ const BY_AGE = [
   { years: 80, size: 1.3, depth: 2.1, stretch: 2 },
 ] as const
 
-/** Interpolates `BY_AGE` at an age. */
 export function ageOfNet(years: number): { size: number; depth: number; stretch: number } {
   const next = Math.max(
     1,
@@ -55,7 +54,6 @@ export function ageOfNet(years: number): { size: number; depth: number; stretch:
   }
 }
 
-/** Returns the parts of a face that have fine furrows. */
 export function netRegionsOf(landmarks: Landmarks, age: number): NetRegion[] {
   const at = ([x, y, z]: Landmarks['eye']) => unroll(x, y, z)
   const [, brow] = at(landmarks.innerBrow)

@@ -1,8 +1,8 @@
 import type { PlannedRegion } from './plan-net.ts'
 
 /**
- * Computes the weights of furrow regions at a position. Inside any region the weights add up to 1, so that furrows are continuous where
- * regions overlap.
+ * Computes, at a position, the weight of each region with fine furrows. Inside the regions, the weights add up to 1, so that furrows are
+ * continuous where regions overlap.
  *
  * @param out receives one weight per region.
  */

@@ -15,7 +15,7 @@ export const FURROW_LAYER = 'furrows'
 /** Activation of furrows at rest. It is lower on stretched skin and higher on compressed skin. */
 export const AT_REST = 0.5
 
-/** Furrows are drawn only if at least this fraction of the regions can have them, because they cost a layer. */
+/** Furrows are drawn only if at least this fraction of the regions can have them, because they need an additional layer. */
 const MIN_COVERAGE = 0.5
 
 /** Region with furrows. Positions of its spheres are in face coordinates. */
@@ -108,7 +108,7 @@ function texelSize({ skin, surface }: PreparedSkin, triangle: number, size: numb
   return Math.sqrt(crossOf(surface.points, ...cornersOf(surface, triangle), new Float64Array(3)) / texels)
 }
 
-/** Returns the reason for a missing region: `width` is the width of a furrow, `texel` the size of a texel, both in millimetres. */
+/** Returns the reason why a region is missing. `width` is the width of a furrow, `texel` the size of a texel, both in millimetres. */
 function tooNarrowMessage(width: number, texel: number, size: number): string {
   let enough = size
   while (width * enough < MIN_TEXELS * texel * size) enough *= 2

@@ -1,6 +1,6 @@
+import { PointGrid } from '../../../math/point-grid.ts'
 import { cross, dot, length } from '../../../math/vector.ts'
 import type { SkinLine } from '../../strokes/curve.ts'
-import { PointGrid } from './point-grid.ts'
 
 /** A line is sampled at every fifth point. */
 const SAMPLE_STEP = 5
@@ -72,7 +72,7 @@ class LinePoints {
     }
   }
 
-  /** Returns the nearest point of each line within reach for which `isSearched` is true. Some lines farther away may be included. */
+  /** Returns one point per line: the nearest one within reach. Skips lines for which `isSearched` is false. Some points are beyond the reach. */
   nearest(position: Float64Array, isSearched: (line: number) => boolean): Float64Array[] {
     const found = new Map<number, { point: number; square: number }>()
     this.#grid.visitNear(position, (point, square) => {
@@ -94,7 +94,7 @@ class LinePoints {
   }
 }
 
-/** Returns the distances from point `i` of a line to the nearest of the other points on the line's left and right. */
+/** Returns two distances from a point of a line: to the nearest of `others` on the left of the line, and to the nearest on the right. */
 function nearestBeside(
   { points, normals }: SkinLine,
   i: number,

@@ -7,7 +7,7 @@ const STEPS = 256
 const BISECTIONS = 16
 
 /**
- * Computes the depth of valleys that take up the length lost by compressed skin. A length dx of skin at rest shrinks to `(1 - e) * dx`, but
+ * Computes the depth at which valleys take up the length that compressed skin loses. A length dx of skin at rest shrinks to `(1 - e) * dx`, but
  * the profile of the wrinkled skin must still have the length dx. So the mean of `sqrt((1 - e)^2 + h'^2)` over one spacing must be 1, where
  * h' is the slope of the profile.
  *
@@ -35,7 +35,7 @@ export function creaseDepth(
   return low
 }
 
-/** Returns the profile between two neighbours of many parallel lines with depth 1. */
+/** Returns the profile of many parallel lines with depth 1, from one line to the next. */
 function heightsBetween(spacing: number, halfWidth: number, section: CrossSection): number[] {
   const sum = new HeightSum()
   const lines = 1 + Math.ceil((sectionReach(section) * halfWidth) / spacing)

@@ -1,5 +1,3 @@
-import { noise } from '../../../math/noise.ts'
-import { Rng } from '../../../math/rng.ts'
 import { barycentricsAt, normalAt } from '../../skin/walk.ts'
 import type { SkinLine } from '../../strokes/curve.ts'
 import type { Stroke } from '../../strokes/document.ts'
@@ -8,9 +6,9 @@ import { bankSlope } from '../../strokes/profile.ts'
 import type { LineStyle, SkinRegion } from '../anatomy/region.ts'
 import { bankReaches } from './bank-reaches.ts'
 import { creaseDepth } from './crease-depth.ts'
-import { type LaidLine, MIN_POINTS } from './laid-line.ts'
+import { type DepthVariation, depthVariations } from './depth-variation.ts'
+import { keptRuns, type LaidLine } from './laid-line.ts'
 import { type StrokedSkin, strokeOf, uvAt } from './stroke-of.ts'
-import { STEP } from './trace.ts'
 
 /** Lines of a region, in several forms. */
 export interface RegionCreases {
@@ -20,7 +18,7 @@ export interface RegionCreases {
   strokes: readonly Stroke[]
   /** The strokes, laid on the skin. */
   creases: readonly LaidStroke[]
-  /** Fraction by which the region's expression shortens the skin across the lines, measured where it compresses the skin. */
+  /** Fraction of length that the skin loses across the lines in the region's expression. Points with stretched skin are ignored. */
   compression: number
 }
 
@@ -35,31 +33,29 @@ export interface LineSettings {
   /** Factor on the depth. */
   strength: number
   seed: number
+  /** Symmetry of the face's lines, 0..1; see `AutoOptions`. */
+  symmetry: number
 }
 
 /** Fraction of the depth that remains where the expression does not compress the skin. */
 const MIN_DEPTH = 0.3
 /** Maximum random reduction of a line's depth, as a fraction. */
 const VARIATION = 0.4
-/** Approximate wavelength of the random reduction, in millimetres. */
-const WAVELENGTH = 8
 /**
- * Root mean square of the randomly reduced depth along a line. Depths are divided by it, because the length that a valley takes up grows with
- * the square of its depth.
+ * Root mean square of the factor by which the random reduction multiplies a depth. Depths are divided by it, so that the reduction does not
+ * change the total length that a valley takes up. This length grows with the square of the depth.
  */
 const UNIFORM = 0.81
 /** Maximum slope of a bank's outer side (10 degrees). Steeper banks would look like a white rim in the light. */
 const MAX_BANK_SLOPE = 0.18
 /** Compressions are averaged over this number of points on either side of a point. */
 const AVERAGE_RADIUS = 6
-/** The compression of a region is the value that this fraction of its compressed line points exceeds. */
+/** The compression of a region is chosen so that this fraction of the compressed points on its lines exceeds it. */
 const ABOVE = 0.3
 
 /**
  * Converts the lines of a region to strokes. The strokes are deep enough to take up the length that the skin loses, and shallower where it
  * loses less.
- *
- * @param strength factor on the depth.
  */
 export function creaseLines(
   prepared: StrokedSkin,
@@ -71,17 +67,16 @@ export function creaseLines(
     assumedCompression = 0,
   }: Pick<SkinRegion, 'name' | 'spacing' | 'creasedFraction' | 'maxDepth' | 'assumedCompression'>,
   lines: readonly LaidLine[],
-  strength: number,
+  { strength, symmetry }: Pick<LineSettings, 'strength' | 'symmetry'>,
 ): RegionCreases {
   const measured = lines
     .flatMap(({ style, compressions }) => (style.isDimple ? [] : compressions.filter((value) => value > 0)))
     .sort((a, b) => b - a)
   const compression = Math.max(assumedCompression, measured[Math.floor(ABOVE * measured.length)] ?? 0)
-  const rng = new Rng(0, `${name} depth`)
-  const drawn = lines.flatMap((line) => {
-    const variation = Math.floor(2 ** 31 * rng.next())
-    return clipToDrawn(line, prepared).map((part) => ({ ...part, variation }))
-  })
+  const variations = depthVariations(name, lines, symmetry)
+  const drawn = lines.flatMap((line, i) =>
+    clipToDrawn(line, prepared).map((part) => ({ ...part, variation: variations[i] })),
+  )
   const onSkin = drawn.map((line) => foldOf(line, prepared))
   const folds = onSkin.filter((_, i) => !drawn[i].style.isDimple)
   const foldDepths = drawn.flatMap(({ style }) => (style.isDimple ? [] : style.depth))
@@ -117,11 +112,15 @@ function gentleBanks(
   return [Math.min(left, most[0]), Math.min(right, most[1])]
 }
 
-/** Computes a factor on the depth for each point of a line, from the compression at the point and random noise. */
-function depthFactors({ compressions, variation }: LaidLine & { variation: number }, full: number): number[] {
+/** Computes a factor on the depth for each point of a line. Without `relativeDepths`, the factors depend on compression and random noise. */
+function depthFactors(
+  { compressions, relativeDepths, variation }: LaidLine & { variation: DepthVariation },
+  full: number,
+): readonly number[] {
+  if (relativeDepths) return relativeDepths
   return movingAverage(compressions).map((compression, i) => {
     const relative = full > 0 ? Math.min(1, Math.max(0, compression) / full) : 0
-    const shallower = VARIATION * (0.5 + 0.5 * noise((i * STEP) / WAVELENGTH, variation))
+    const shallower = VARIATION * (0.5 + 0.5 * variation(i))
     return (MIN_DEPTH + (1 - MIN_DEPTH) * Math.sqrt(relative)) * (1 - shallower)
   })
 }
@@ -140,25 +139,19 @@ function foldOf({ points, triangles }: LaidLine, { surface }: StrokedSkin): Skin
 
 /** Returns the parts of a line that are inside the texture and on drawn triangles. Parts do not fade where the line is cut. */
 function clipToDrawn(line: LaidLine, skin: StrokedSkin): LaidLine[] {
-  const { points, triangles, compressions, style } = line
+  const { points, triangles, compressions, relativeDepths, style } = line
   const isDrawn = (i: number) =>
     skin.isDrawn(triangles[i]) && uvAt(line, i, skin).every((value) => value >= 0 && value <= 1)
-  const parts: LaidLine[] = []
-  for (let start = 0; start < triangles.length; ) {
-    let end = start
-    while (end < triangles.length && isDrawn(end)) end++
-    if (end - start >= MIN_POINTS) {
-      const taper = [start === 0 ? style.taper[0] : 0, end === triangles.length ? style.taper[1] : 0] as const
-      parts.push({
-        style: { ...style, taper },
-        points: points.slice(3 * start, 3 * end),
-        triangles: triangles.slice(start, end),
-        compressions: compressions.slice(start, end),
-      })
+  return keptRuns(triangles.length, isDrawn).map(([start, end]) => {
+    const taper = [start === 0 ? style.taper[0] : 0, end === triangles.length ? style.taper[1] : 0] as const
+    return {
+      style: { ...style, taper },
+      points: points.slice(3 * start, 3 * end),
+      triangles: triangles.slice(start, end),
+      compressions: compressions.slice(start, end),
+      ...(relativeDepths && { relativeDepths: relativeDepths.slice(start, end) }),
     }
-    start = end + 1
-  }
-  return parts
+  })
 }
 
 /** Averages values over a few millimetres, so that a line's depth does not jump from triangle to triangle. */

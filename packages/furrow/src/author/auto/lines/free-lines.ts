@@ -1,10 +1,10 @@
+import { PointGrid } from '../../../math/point-grid.ts'
 import { cross, dot } from '../../../math/vector.ts'
 import { cornersOf, type SkinSurface, type SurfacePoint } from '../../skin/surface.ts'
 import type { LineStyle } from '../anatomy/region.ts'
 import { principalAt } from '../strain/principal.ts'
-import { hasTensor } from '../strain/tensors.ts'
+import { hasTensor } from '../surface/tensors.ts'
 import type { LaidLine } from './laid-line.ts'
-import { PointGrid } from './point-grid.ts'
 import { type DirectionField, STEP, type Trace, traceLine } from './trace.ts'
 
 /** Minimum distance from the start of a line to other lines, as a multiple of `spacing`. */
@@ -27,8 +27,8 @@ export interface FreeLineSettings {
 }
 
 /**
- * Lays evenly spaced lines on skin whose anatomy is not known. The lines are perpendicular to the direction of maximum compression (Jobard
- * and Lefer 1997, Creating evenly-spaced streamlines of arbitrary density). The first line starts where the compression is largest.
+ * Lays evenly spaced lines on skin whose anatomy is not known (Jobard and Lefer 1997, Creating evenly-spaced streamlines of arbitrary
+ * density). The lines are perpendicular to the direction of maximum compression. The first line starts where the compression is largest.
  *
  * @param tensors `compressionTensors` of the pose that compresses the skin.
  */

@@ -4,8 +4,8 @@ import { cross, dot, length2, normalize } from '../../../math/vector.ts'
 import { cornersOf, crossOf, type SkinSurface } from '../../skin/surface.ts'
 import { barycentricsAt, normalAt, walk } from '../../skin/walk.ts'
 import type { Guide } from '../anatomy/region.ts'
-import { bilinearForm, compressionAlong, tensorAt } from '../strain/tensors.ts'
 import { type ChartPoint, type HeadChart, rollUp, unroll } from '../surface/head-chart.ts'
+import { bilinearForm, compressionAlong, tensorAt } from '../surface/tensors.ts'
 import { type LaidLine, MIN_POINTS } from './laid-line.ts'
 import { type DirectionField, traceLine } from './trace.ts'
 
@@ -25,7 +25,7 @@ const GATHERED = 5
  * direction in which the skin is compressed least.
  *
  * @param tensors `compressionTensors` of the expression.
- * @returns lines whose guides start on skin.
+ * @returns one line for each guide that starts on skin and is long enough.
  */
 export function layGuides(
   surface: SkinSurface,

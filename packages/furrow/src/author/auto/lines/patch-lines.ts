@@ -47,11 +47,11 @@ export function layPatchLines(
       reach: 4,
       feather: 6,
     }
-    return [{ region, ...creaseLines(prepared, region, lines, strength) }]
+    return [{ region, ...creaseLines(prepared, region, lines, { strength, symmetry: 0 }) }]
   })
 }
 
-/** Derives the name of an area from the name of a target. It has no control characters, and room for a number at its end. */
+/** Derives the name of an area from the name of a target. Removes control characters, and leaves room for a number at the end. */
 function areaNameOf(target: string): string {
   return (
     target

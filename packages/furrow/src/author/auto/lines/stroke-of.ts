@@ -10,7 +10,7 @@ import { STEP } from './trace.ts'
 /** Parts of a prepared skin that are needed to convert lines to strokes. */
 export type StrokedSkin = Pick<PreparedSkin, 'skin' | 'surface' | 'locator' | 'isDrawn'>
 
-/** Maximum distance in millimetres between a stroke and its line: a thirtieth of a fine wrinkle's width. */
+/** Maximum distance in millimetres between a stroke and its line. */
 const TOLERANCE = 0.08
 /** Spacing of a stroke's depth factors in millimetres. */
 const FACTOR_SPACING = 4
@@ -22,7 +22,7 @@ const BLUNT = 0.85
  *
  * @param depth depth of the stroke in millimetres.
  * @param factors factors on the depth, one per point of the line.
- * @param bank distance in millimetres to which the raised sides of the stroke (banks) reach. Undefined: derived from its width.
+ * @param bank distances, in millimetres, from the line to the ends of its raised sides (banks). Undefined: derived from the width.
  */
 export function strokeOf(
   line: LaidLine,

@@ -1,24 +1,31 @@
 import type { GrayImage } from '../../../core/types.ts'
 import { smoothstep } from '../../../math/scalar.ts'
 import type { SkinTexels } from '../../skin/skin-texels.ts'
+import type { SkinLine } from '../../strokes/curve.ts'
 import { LineGrid } from '../../strokes/line-grid.ts'
-import type { CreasedRegion } from '../lines/crease.ts'
+import type { SkinRegion } from '../anatomy/region.ts'
 import { type HeadChart, unroll } from '../surface/head-chart.ts'
 import { visibility } from './visibility.ts'
 
-/** Width in millimetres of the transition between two areas, measured as the difference between the distances to their lines. */
+/** Two areas blend at texels whose distances to the lines of the two areas differ by at most half of this value, in millimetres. */
 const TRANSITION = 4
 
+/** Lines of a region, and the size of the area around them. */
+export interface AreaSource {
+  region: Pick<SkinRegion, 'reach' | 'feather' | 'influence'>
+  creases: readonly SkinLine[]
+}
+
 /**
- * Draws the areas of the regions in one layer. An area surrounds the lines of its region, and fades out where the lines of another region are
- * nearer.
+ * Draws the areas of influence of the regions in one layer. An area surrounds the wrinkle lines of its region, and fades out where the lines
+ * of another region are nearer.
  *
  * @param chart chart of a face. If given, hidden skin (such as inside the mouth) gets no weight.
  * @returns weights of each region's area, 255 = fully visible.
  */
 export function drawAreas(
   texels: SkinTexels,
-  regions: readonly CreasedRegion[],
+  regions: readonly AreaSource[],
   chart?: HeadChart,
 ): GrayImage[] {
   const { width, height } = texels

@@ -8,17 +8,18 @@ import { type Pose, poseOf } from '../surface/pose.ts'
 import type { PreparedSkin } from '../surface/prepare-skin.ts'
 import { type Patch, patchOf } from './patch.ts'
 
-/** Triangles within this fraction of a crease's reach are corrected. Outside it, slopes are too small to see. */
+// The matrices D, S and M in the comments below are described at `FacetFrames`.
+/** Triangles within this fraction of a crease's reach are corrected. Farther away, slopes are too small to see. */
 const NEAR = 0.6
-/** Minimum activation in a pose. Other poses are ignored, because they do not show the crease. */
+/** Poses with a lower activation than this are ignored, because they do not show the crease. */
 const MIN_ACTIVATION = 0.1
-/** Weight with which M is pulled to the identity, relative to the poses. Without it, slopes could be infinite on facets seen edge-on. */
+/** Weight of the term that keeps the matrix M near the identity. Without the term, slopes could be infinite on facets seen edge-on. */
 const RIDGE = 0.02
 /** Triangles whose bounding box is smaller than this, in millimetres, need no correction, because a crease spans many of them. */
 const FINE = 0.5
-/** Maximum number of triangles near a region's lines, times the number of poses. Regions with more are not corrected: their skin overlaps. */
+/** Maximum number of poses times triangles near a region's lines. Where skin overlaps, regions can have more; these are not corrected. */
 const MAX_POSED = 500_000
-/** Count of numbers per corner of a triangle: elements 00, 01 and 11 of `transpose(D) * D`, then all elements of `transpose(D) * S`. */
+/** Count of numbers per triangle corner: elements 00, 01 and 11 of `transpose(D) * D`, then all elements of `transpose(D) * S`. */
 const STRIDE = 7
 /** Count of numbers per triangle: for each corner, the elements of the 2 x 2 matrix M. */
 const TURN = 12
@@ -28,7 +29,7 @@ type Skin = Pick<PreparedSkin, 'skin' | 'surface' | 'offsets' | 'names' | 'find'
 
 /**
  * Makes creases continuous on coarse meshes without tangents. On these meshes, renderers compute the tangent frame of the normal map from
- * each deformed triangle (facet; Schueler, see `TangentFrame`), so creases would break at the edges of facets.
+ * each deformed triangle, a facet (`derivative` in `TangentFrame`). Without a correction, creases would break at the edges of facets.
  *
  * The class multiplies the slopes in the normal map by a 2 x 2 matrix M. D is the frame of a facet and S the frame of the smooth surface,
  * both 3 x 2 matrices. M minimises the sum of `w * a^2 * |D * M - S|^2` over the poses that show the crease. Here, `a` is the activation in
@@ -80,7 +81,7 @@ export class FacetFrames {
   }
 }
 
-/** Adds the poses of a region to the normal equations for M at the corners of the triangles near the region's lines. */
+/** Adds the poses of a region to the normal equations for M. Each corner of each triangle near the region's lines has its own equations. */
 function addPatch(
   sums: Float64Array,
   slots: Int32Array,
@@ -100,7 +101,10 @@ interface WeightedPose {
   weight: number
 }
 
-/** Returns the poses to correct for: the region's cause, and each target of its driver alone. The cause weighs as much as all others. */
+/**
+ * Returns the poses to correct for: the region's cause, and one pose with each single target of the region's driver. The cause weighs as much
+ * as all other poses together.
+ */
 function posesOf({ names, find }: Skin, { region, driver }: FittedRegion): WeightedPose[] {
   const weightOf = new Map(driver.targets.map(({ name, weight = 1 }) => [names.indexOf(name), weight]))
   const poses: Pose[] = [
@@ -233,7 +237,7 @@ function isZero(derivatives: Float64Array, first: number): boolean {
 /**
  * Computes a tangent frame: the gradients of u and v in the plane perpendicular to a normal, both divided by the length of the longer one.
  *
- * @param first index in `derivatives` of dP/du, which dP/dv follows.
+ * @param first index of dP/du in `derivatives`. The next three numbers are dP/dv.
  * @param n index of the normal in `normals`.
  */
 function frameOf(
@@ -253,7 +257,7 @@ function frameOf(
   }
 }
 
-/** Solves the normal equations `(transpose(D) * D + r * I) * M = transpose(D) * S + r * I` for M at a corner. */
+/** Solves the normal equations `(transpose(D) * D + ridge * I) * M = transpose(D) * S + ridge * I` for M at a corner. */
 function solve(sums: Float64Array, corner: number, out: Float64Array): void {
   const [s00, s01, s11, t00, t01, t10, t11] = sums.subarray(STRIDE * corner, STRIDE * (corner + 1))
   const ridge = RIDGE * (s00 + s11) || 1

@@ -1,6 +1,6 @@
 import type { GrayImage } from '../../../core/types.ts'
 
-/** Halves the width and height of a map, which must be even. Each texel is the rounded mean of four texels. @internal */
+/** Halves the width and height of a map. Both must be even. Each texel becomes the rounded mean of four texels. @internal */
 export function halfSide({
   width,
   height,

@@ -1,6 +1,9 @@
 import { type Skin, type SkinSurface, skinVertices } from '../../skin/surface.ts'
 
-/** Requested triangles of a skin and the triangles around them, with indices of their own for points and vertices. */
+/**
+ * Part of a skin: requested triangles and the triangles around them. Its vertices are renumbered from 0, and so are its points. A point is a
+ * position, which several vertices share at a UV seam.
+ */
 export interface Patch {
   /** Indices of the triangles in the surface. The requested triangles come first. */
   triangles: Uint32Array
@@ -21,7 +24,7 @@ export interface Patch {
  *
  * @param wanted indices of the requested triangles.
  * @param most maximum number of extracted triangles.
- * @returns undefined if there would be more triangles.
+ * @returns undefined if there are more than `most` triangles.
  */
 export function patchOf(
   skin: Pick<Skin, 'uvs' | 'indices'>,

@@ -3,14 +3,14 @@ import type { HeadChart } from '../surface/head-chart.ts'
 
 /** Skin starts to be hidden at this depth below other skin, in millimetres. */
 const HIDDEN_FROM = 0.5
-/** Further depth in millimetres at which skin is completely hidden. */
+/** Skin is completely hidden at the depth `HIDDEN_FROM` plus this, in millimetres. */
 const HIDDEN_OVER = 1
 /** Cosines between the normal and the outward direction of the head: at the first one skin is hidden, at the second one visible. */
 const FACING = [-0.1, 0.1] as const
 
 /**
- * Returns how visible a position on the skin is from outside the head, 0..1. Skin inside the mouth and on the rims of lids has 0; it does not
- * crease.
+ * Returns how visible a position on the skin is from outside the head, 0..1. The result is 0 inside the mouth and on the rims of lids, so that
+ * no wrinkles are drawn there.
  *
  * @param normal normal of the skin at the position.
  */

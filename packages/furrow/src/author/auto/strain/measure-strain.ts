@@ -13,7 +13,6 @@ export interface StrainedSkin {
 export interface StrainSettings extends RegionSettings {
   /** Age as a number from 0 (20 years) to 1 (80 years). */
   ageFraction: number
-  /** Maximum number of patches. */
   maxAreas: number
 }
 
@@ -30,7 +29,7 @@ export function measureStrain(
   const { face, isUnknownHead } = prepared
   return {
     regions: face ? strainFaceRegions(face, ageFraction, settings, report) : [],
-    // Compression alone must not place lines on a head: speech, for example, compresses cheeks without folding them.
+    // On heads, compression alone does not show where lines are: speech, for example, compresses cheeks without folding them.
     patches: face || isUnknownHead ? [] : findPatches(prepared, maxAreas, report),
   }
 }

@@ -1,12 +1,12 @@
 import type { SkinSurface } from '../../skin/surface.ts'
 import type { PreparedSkin } from '../surface/prepare-skin.ts'
+import { hasTensor, TENSOR_SIZE } from '../surface/tensors.ts'
 import { poseStrain } from './pose-strain.ts'
 import { pointCompression } from './principal.ts'
-import { hasTensor, TENSOR_SIZE } from './tensors.ts'
 
-/** Standard deviation, in millimetres, of the smoothing of the compression. It is large, so that noise does not look like a patch. */
+/** The compression is smoothed with this standard deviation in millimetres. It is large, so that noise creates no patches. */
 const PATCH_SIGMA = 5
-/** Minimum compression of skin that creases. It is higher than on faces, where anatomy tells which skin creases. */
+/** Minimum compression of the skin in a patch. On faces, less compression is enough, because the places of lines are known from anatomy. */
 export const MIN_PATCH_COMPRESSION = 0.07
 /** Minimum area of a patch in square millimetres. */
 const MIN_PATCH_AREA = 80
@@ -19,9 +19,9 @@ export interface CompressedPatch {
   points: ReadonlySet<number>
   /** Area in square millimetres. */
   area: number
-  /** Index of the blendshape. If several blendshapes compress the same skin, the one with the largest patch. */
+  /** Index of the blendshape. If several blendshapes compress the same skin, this is the one with the largest patch. */
   target: number
-  /** `compressionTensors` of the points, in the order of `points`. */
+  /** Result of `compressionTensors` for these points, in the order of `points`. */
   tensors: Float64Array
 }
 

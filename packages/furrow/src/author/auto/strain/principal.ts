@@ -2,11 +2,11 @@ import { atan2, cos, sin } from '../../../math/elementary.ts'
 import { triangleNormal } from '../../../math/triangle.ts'
 import { cross, length2, normalize } from '../../../math/vector.ts'
 import { cornersOf, type SkinSurface } from '../../skin/surface.ts'
-import { bilinearForm, compressionAlong, TENSOR_SIZE, tensorAt } from './tensors.ts'
+import { bilinearForm, compressionAlong, TENSOR_SIZE, tensorAt } from '../surface/tensors.ts'
 
 /** Largest compression of skin at a point, among all directions in the plane of the skin. */
 export interface PrincipalCompression {
-  /** Unit vector perpendicular to the direction of largest compression. A crease has this direction. */
+  /** Unit vector along the creases: perpendicular to the direction of largest compression. */
   direction: Float64Array
   /** Fraction of length that the skin loses perpendicular to `direction`. */
   compression: number
@@ -46,7 +46,7 @@ export function pointCompression({ normals }: SkinSurface, tensors: Float64Array
 }
 
 /**
- * Returns the largest eigenvalue of a tensor restricted to a plane, and the angle from x towards y of its eigenvector (Mohr's circle).
+ * Returns the largest eigenvalue of a tensor restricted to a plane (Mohr's circle), and the angle of the eigenvector, from x towards y.
  *
  * @param x, y orthonormal vectors that span the plane.
  */

@@ -1,19 +1,23 @@
 import type { SkinSurface } from '../../skin/surface.ts'
-import { hasTensor, TENSOR_SIZE } from './tensors.ts'
+import { hasTensor, TENSOR_SIZE } from '../surface/tensors.ts'
 
-/** In an iteration, a point's tensor moves at most by this fraction towards the mean of its neighbours. */
+/** Maximum fraction by which one iteration moves the tensor at a point towards the mean tensor of the neighbours. */
 const MAX_STEP = 0.8
 /** Maximum number of iterations. Meshes that would need more are smoothed less than requested. */
 const MAX_ITERATIONS = 1000
 /** Maximum number of neighbours that are read in all iterations together, to limit the time to a few seconds. */
 const MAX_READS = 120_000_000
-/** If there are more runs, they share `FREE_RUNS * MAX_READS`. */
+/**
+ * If a surface is smoothed at most this often, each call may read `MAX_READS` neighbours. If it is smoothed more often, the total of all calls
+ * is limited to `FREE_RUNS * MAX_READS`.
+ */
 const FREE_RUNS = 3
-/** Points farther than this from all tensors, in standard deviations, are not affected. */
+/** Maximum distance, in standard deviations, to which smoothing spreads a tensor. */
 const SPREAD = 5
 
 /**
- * Smooths tensors by diffusion over the surface. The smoothing has the same width in millimetres for triangles of any size.
+ * Smooths the compression tensors of a skin by diffusion over the surface. The smoothing has the same width in millimetres for triangles of
+ * any size.
  *
  * @param tensors `TENSOR_SIZE` components per point; changed in place.
  * @param sigma standard deviation of the smoothing, in the unit of the surface.
@@ -28,7 +32,7 @@ export function smooth(surface: SkinSurface, tensors: Float64Array, sigma: numbe
   const steps = Float64Array.from(points, (point) =>
     Math.min(MAX_STEP, (2 * sigma * sigma) / (iterations * Math.max(squares[point], 1e-12))),
   )
-  /** Tensors of `points`, and one tensor, 0, for all other points. */
+  /** Tensors of `points`, followed by a zero tensor that represents all other points. */
   let before = new Float64Array(TENSOR_SIZE * (points.length + 1))
   let after = new Float64Array(before.length)
   for (let i = 0; i < points.length; i++)
@@ -41,7 +45,7 @@ export function smooth(surface: SkinSurface, tensors: Float64Array, sigma: numbe
     for (let k = 0; k < TENSOR_SIZE; k++) tensors[TENSOR_SIZE * points[i] + k] = before[TENSOR_SIZE * i + k]
 }
 
-/** Moves each point's tensor towards the mean of its neighbours. The loop over components is unrolled, which is three times as fast. */
+/** Moves each point's tensor towards the mean of its neighbours. Unrolling the loop over components makes the function three times as fast. */
 function diffuse(
   { starts, neighbours }: Pick<SmoothedPoints, 'starts' | 'neighbours'>,
   steps: Float64Array,
@@ -155,11 +159,12 @@ function pointsAround(surface: SkinSurface, tensors: Float64Array, rings: number
 /**
  * Returns the number of smoothing iterations.
  *
- * @param neighbours sum of the numbers of neighbours over all points. A point has about six.
+ * @param neighbours total number of neighbours of all points. A point has about six neighbours.
  * @param square mean squared distance between neighbours where the mesh is fine.
  */
 export function iterationsOf(neighbours: number, square: number, sigma: number, runs = 1): number {
-  // A step of length d in a random direction, taken with probability p, adds `p * d^2 / 2` to the variance along each axis.
+  // An iteration spreads tensors like a step of a random walk. With probability `MAX_STEP`, a step goes to a neighbour at the distance d. Each
+  // step adds `MAX_STEP * d^2 / 2` to the variance along each axis. `square` is the mean of `d^2`.
   const wanted = Math.ceil((2 * sigma * sigma) / (MAX_STEP * Math.max(square, 1e-12)))
   const reads = MAX_READS * Math.min(1, FREE_RUNS / runs)
   return Math.min(wanted, MAX_ITERATIONS, Math.floor(reads / neighbours))

@@ -4,17 +4,16 @@ import { uvArea } from '../../../math/triangle.ts'
 import { labelOf } from '../../shapes/families.ts'
 import { crossOf, type Skin, type SkinTarget } from '../../skin/surface.ts'
 
-/** Maximum displacement of a vertex, as a multiple of the skin's extent. Targets that exceed it are broken and dropped. */
+/** Maximum displacement of a vertex, as a multiple of the skin's extent. Targets with larger displacements are broken and dropped. */
 const MAX_OFFSET = 2
 /** Maximum extent of a skin, as a multiple of the square root of its area. Hair made of thin strips reaches about 50. */
 const MAX_EXTENT = 1000
-/** Maximum number of triangles for `autoWrinkles`. */
 export const MAX_SKIN_TRIANGLES = 2_000_000
 
 const CHECK_EXPORT = 'check how the mesh was exported'
 
 /**
- * Checks a skin and drops broken targets.
+ * Checks a skin and drops broken targets (blendshapes).
  *
  * @throws FurrowError if no wrinkles can be made for the skin.
  */

@@ -8,23 +8,21 @@ import { faceShapeFinder, hintsOf, type TargetHints } from './stand-ins.ts'
 /** Mesh that may be the skin of a character. A mesh with several materials has one candidate for each material. */
 export interface SkinCandidate {
   skin: Skin
-  /** Whether the material can show wrinkles. Such a candidate is chosen even if another one moves up to twice as much. */
+  /** Whether the material can show wrinkles. If so, the motion of the candidate counts twice. */
   isLit: boolean
   /** Names of the mesh and its material. They can indicate that the candidate is not skin. */
   label: string
 }
 
-/** Result of `chooseSkin`. */
 export interface SkinChoice {
-  /** Index of the chosen candidate. */
   index: number
-  /** Share of the chosen candidate in the motion of all candidates, 0..1; NaN if nothing moves. */
+  /** Motion of the chosen candidate as a fraction of the motion of all candidates, 0..1; NaN if nothing moves. */
   fraction: number
   /** Description of the blendshapes whose motion was compared. */
   movers: string
 }
 
-/** Candidates that move less than this fraction of the candidate that moves most are no faces. */
+/** A candidate is not a face if its motion is less than this fraction of the largest motion of a candidate. */
 const NEGLIGIBLE = 0.02
 
 /** Blendshapes that move the skin of a face, and not only eyes or teeth. */
@@ -38,17 +36,18 @@ const SKIN_SHAPES = [
   'mouthSmileRight',
 ]
 
-/** Kinds of blendshapes that bodies and other meshes have too, so that they do not indicate a face. */
+/** Kinds of blendshapes that do not indicate a face, because bodies and other meshes have them too. */
 const NO_EXPRESSIONS: readonly (ShapeKind | undefined)[] = ['body', 'corrective', 'hidden', 'other']
 
 /** Words in names of meshes and materials that are not skin. */
 const NO_SKIN =
   /cloth|outfit|pants|trousers?|jeans|shorts|skirt|dress|shirt|\btops?\b|bottom|jacket|coat|shoe|boot|sock|glove|hat\b|glasses|hair|brow|lash|eye|iris|pupil|teeth|tooth|tongue|gum/i
-/** Factor on the motion of candidates with such words in their label. */
+/** Factor on the motion of candidates whose label contains a word in `NO_SKIN`. */
 const DOUBT = 0.25
 
 /**
- * Chooses the skin of a character: the candidate that moves most. The first of these sets of blendshapes that moves any candidate decides:
+ * Chooses the skin of a character: the candidate whose surface moves most. The motion is measured with the first of these sets of blendshapes
+ * that moves any candidate:
  *
  * 1. Blendshapes that move brows, lids and mouth, recognised by name.
  * 2. Blendshapes that move brows, lids and mouth, recognised by motion.
@@ -69,12 +68,12 @@ export function chooseSkin(candidates: readonly SkinCandidate[]): SkinChoice | u
     ],
     ['brows, lids and mouth', ({ skin }) => movedFace(skin, largest())],
     [
-      'the blendshapes of the head',
+      'the head by blendshapes',
       ({ skin, label }) =>
         hasHead ? doubt(label) * movedSurface(skin, expressions(skin), skin.headWeights ?? []) : 0,
     ],
-    ['the blendshapes', ({ skin, label }) => doubt(label) * movedSurface(skin, expressions(skin))],
-    ['all blendshapes', ({ skin }) => movedByAll(skin)],
+    ['all meshes by blendshapes', ({ skin, label }) => doubt(label) * movedSurface(skin, expressions(skin))],
+    ['all meshes by blendshapes', ({ skin }) => movedByAll(skin)],
   ]
   let [moved, movers]: [number[], string] = [[], '']
   for (const [name, measure] of ways) {
@@ -98,7 +97,7 @@ function movedByAll(skin: Skin): number {
   return movedSurface(skin, [...skin.targets.keys()])
 }
 
-/** Measures the motion of a skin by blendshapes of brows, lids and mouth, which are recognised by their motion. */
+/** Measures how far blendshapes of brows, lids and mouth move a skin. These blendshapes are recognised by motion. */
 function movedFace(skin: Skin, largest: number): number {
   if (!(movedByAll(skin) > NEGLIGIBLE * largest)) return 0
   const { known, hints } = knownTargets(skin)

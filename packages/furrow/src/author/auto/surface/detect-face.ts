@@ -14,16 +14,15 @@ import { faceShapeFinder, hintsOf, partShapeFinder, type TargetHints } from './s
 export interface DetectedFace {
   /** Surface in face coordinates, in millimetres. */
   surface: SkinSurface
-  /** Chart that unrolls the surface. */
+  /** Chart of the head: the surface, unrolled into a plane. */
   chart: HeadChart
   landmarks: Landmarks
   /** Millimetres per unit of the skin's positions. */
   scale: number
   /** Offsets of each target per point, in face coordinates, in millimetres. */
   offsets: readonly Float64Array[]
-  /** Names of the targets. */
   names: readonly string[]
-  /** Names of the targets as far as they are reliable: a name that contradicts the target's motion is replaced by a placeholder. */
+  /** Reliable names of the targets. A name that contradicts the target's motion is replaced by a placeholder. */
   known: readonly string[]
   /** Kind of each target, derived from its motion and its name. */
   hints: TargetHints
@@ -40,8 +39,8 @@ const MOUTH_BELOW = 40
 const BROWS_ABOVE = 10
 
 /**
- * Recognises a face, and finds its features by the motion of targets: blinks move the lids, brow shapes the brows, and smiles the corners of
- * the mouth. If no target moves the brows, they are placed above the eyes.
+ * Recognises a face, and finds its features by the motion of targets (blendshapes): blinks move the lids, brow shapes move the brows, and
+ * smiles move the corners of the mouth. If no target moves the brows, they are placed above the eyes.
  *
  * @returns undefined if the required targets are missing, are not recognised, or move nothing.
  */
@@ -84,7 +83,7 @@ export function middleOf(skin: Skin): MirrorPlane | undefined {
   return placedFace(skin)?.middle
 }
 
-/** Face in face coordinates. */
+/** Surface of a face in face coordinates (see `DetectedFace`). */
 interface PlacedFace extends Pick<DetectedFace, 'surface' | 'offsets' | 'scale'> {
   /** Symmetry plane, in the coordinates of the skin. */
   middle: MirrorPlane
@@ -100,7 +99,7 @@ export function placedFace(skin: Skin): PlacedFace | undefined {
   return placeFace(skin, byName) ?? placeFace(skin, knownTargets(skin))
 }
 
-/** Transforms a skin into face coordinates, whose axes are given by the positions of the eyes and the mouth. */
+/** Transforms a skin into face coordinates. The positions of the eyes and the mouth define the axes. */
 function placeFace(skin: Skin, { known, hints, eyes }: KnownTargets): PlacedFace | undefined {
   const welded = weldSurface(skin)
   const findPart = partShapeFinder(known, hints)
@@ -124,7 +123,6 @@ function placeFace(skin: Skin, { known, hints, eyes }: KnownTargets): PlacedFace
   return { surface, offsets, scale: frame.scale, middle: frame.middle }
 }
 
-/** Creates the transform into face coordinates, in millimetres. */
 function faceFrame(leftEye: readonly number[], rightEye: readonly number[], mouth: readonly number[]) {
   const origin = leftEye.map((value, k) => (value + rightEye[k]) / 2)
   const across = leftEye.map((value, k) => value - rightEye[k])
@@ -161,8 +159,8 @@ function faceFrame(leftEye: readonly number[], rightEye: readonly number[], mout
 }
 
 /**
- * Sets displacements outside one half of the face to 0: shapes of the mouth keep the lower half, all others the upper half. An emotion can
- * replace a missing shape, but it moves the whole face.
+ * Sets displacements outside one half of the face to 0, because emotions that replace missing shapes move the whole face. Shapes of the mouth
+ * keep the lower half. All other shapes keep the upper half.
  */
 function inHalf({ points }: SkinSurface, shape: string, displacements: Float64Array): Float64Array {
   const isInside = shape.startsWith('mouth')

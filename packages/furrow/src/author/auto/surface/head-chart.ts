@@ -4,18 +4,23 @@ import { length2, normalize } from '../../../math/vector.ts'
 import { islandsOf } from '../../skin/islands.ts'
 import { cornersOf, type SkinSurface, type SurfacePoint } from '../../skin/surface.ts'
 
-/** Distance in millimetres from the eyes to the vertical axis of the head, which is behind them. */
+/** Distance in millimetres from the eyes to the vertical axis of the head. The axis is behind the eyes. */
 const RADIUS = 85
 
 /**
- * Point of the head's chart: a cylinder around the vertical axis of the head, unrolled into a plane. `across` is the distance around the head
- * to the person's left, `up` the height above the eyes, both in millimetres.
+ * Point of the head's chart, which is a cylinder around the vertical axis of the head, unrolled into a plane. `across` is the arc length on
+ * the cylinder towards the person's left. `up` is the height above the eyes. Both are in millimetres.
  */
 export type ChartPoint = readonly [across: number, up: number]
 
-/** Projects a position in face coordinates onto the chart, along the horizontal ray from the head's axis. */
+/** Projects a position in face coordinates (see `DetectedFace`) onto the chart, along the horizontal ray from the head's axis. */
 export function unroll(x: number, y: number, z: number): ChartPoint {
   return [RADIUS * atan2(x, z + RADIUS), y]
+}
+
+/** Unrolls a point of a packed array of positions, see `unroll`. */
+export function unrollPoint(positions: Float64Array, point: number): ChartPoint {
+  return unroll(positions[3 * point], positions[3 * point + 1], positions[3 * point + 2])
 }
 
 /** Returns the minimum and maximum `across` of a box, given by its lowest and highest x, y and z. */
@@ -70,28 +75,23 @@ const MAX_TRIANGLES_PER_CELL = 4096
 /** Maximum distance, in millimetres, between the skin and a smaller connected component that covers it, such as a beard. */
 const COVER = 10
 
-/** Finds the skin at points of the head's chart. In folds, this is the outermost skin. Beards and brows on the skin are ignored. */
+/** Finds the skin at points of the head's chart. In folds, this is the outermost skin. Beards and brows made of separate triangles are ignored. */
 export class HeadChart {
   readonly #surface: SkinSurface
   /** Packed chart coordinates per point of the surface. */
   readonly #chartPoints: Float64Array
   /** Start of each cell's list in `#triangles`. The list of cell i ends before index `#starts[i + 1]`. */
   readonly #starts = new Uint32Array(ROWS * COLUMNS + 1)
-  /** Triangles that touch a cell, cell by cell. */
+  /** Lists of the triangles whose bounding boxes touch a cell, one list per cell. */
   readonly #triangles: Uint32Array
-  /** Area of the connected component of each point of the surface. */
+  /** For each point of the surface, the area of the point's connected component. */
   readonly #pieces: Float64Array
 
   constructor(surface: SkinSurface) {
     this.#surface = surface
     const { points } = surface
     this.#chartPoints = new Float64Array((points.length / 3) * 2)
-    for (let i = 0; i < points.length / 3; i++)
-      [this.#chartPoints[2 * i], this.#chartPoints[2 * i + 1]] = unroll(
-        points[3 * i],
-        points[3 * i + 1],
-        points[3 * i + 2],
-      )
+    for (let i = 0; i < points.length / 3; i++) this.#chartPoints.set(unrollPoint(points, i), 2 * i)
     this.#pieces = areasOfPieces(surface)
     const counts = new Uint16Array(ROWS * COLUMNS)
     this.#visitCells((_, cell) => {
@@ -138,9 +138,15 @@ export class HeadChart {
     return found
   }
 
+  /** Returns the distance of the outermost skin from the head's axis in millimetres; undefined if there is no skin. */
+  radiusAt(point: ChartPoint): number | undefined {
+    const found = this.find(point)?.position
+    return found && length2(found[0], found[2] + RADIUS)
+  }
+
   /**
-   * Tells how exposed a position on the skin is. `facing` is the cosine between the normal and the outward direction from the head's axis.
-   * `depth` is the distance in millimetres below the outermost skin.
+   * Measures how exposed a position on the skin is. `facing` is the cosine of the angle between the normal and the outward direction from the
+   * head's axis. `depth` is the distance in millimetres below the outermost skin.
    */
   exposure(x: number, y: number, z: number, normal: ArrayLike<number>): { facing: number; depth: number } {
     const rho = length2(x, z + RADIUS)
@@ -167,7 +173,6 @@ export class HeadChart {
     }
   }
 
-  /** Writes the chart coordinates of a triangle's corners to `out`. */
   #unrolled(triangle: number, out: Float64Array): void {
     const { corners } = this.#surface
     for (let k = 0; k < 3; k++) {

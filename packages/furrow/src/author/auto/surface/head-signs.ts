@@ -17,7 +17,7 @@ const FACING = 0.2
 /** Minimum number of pairs of points on opposite lips. */
 const MIN_PAIRS = 4
 
-/** Returns whether a skin is a head: a target is named like a facial shape, or opens a mouth. */
+/** Returns whether a skin is a head: whether a target (blendshape) is named like a facial shape, or opens a mouth. */
 export function isHead(surface: SkinSurface, offsets: readonly Float64Array[], hints: TargetHints): boolean {
   const isNamed = hints.some((hint) => hint !== undefined && FACE_KINDS.has(hint.kind))
   return isNamed || offsets.some((offset) => opensMouth(surface, offset))
@@ -29,7 +29,7 @@ function opensMouth({ points, normals, areas }: SkinSurface, offset: Float64Arra
   const largest = distances.reduce((a, b) => Math.max(a, b), 0)
   const area = areas.reduce((sum, area, i) => (distances[i] > MOVED * largest ? sum + area : sum), 0)
   const [closed, parted] = [CLOSED * Math.sqrt(area), PARTED * Math.sqrt(area)]
-  // When two points part, at least one of them moves half of the added distance.
+  // When a target pulls two points apart, at least one of them moves by half the added distance or more.
   if (!(largest > parted / 2)) return false
   const cellOf = (i: number, k: number, step: number) => Math.floor(points[3 * i + k] / closed) + step
   const cells = new Map<string, number[]>()

@@ -1,8 +1,7 @@
 import type { Skin } from '../../skin/surface.ts'
 
-/** Part of a mesh with its own triangles and vertices. The functions read vertex data from the buffers of an engine or a file. */
+/** Part of a mesh, such as a glTF primitive. The functions read vertex data from the buffers of an engine or a file. */
 export interface SkinPart {
-  /** Number of vertices. */
   count: number
   /** Three vertices per triangle. */
   indices: ArrayLike<number>
@@ -10,22 +9,22 @@ export interface SkinPart {
   readPositions(vertices: Uint32Array, out: Float32Array): void
   /** Writes the packed uv of the given vertices, v = 0 at the top. */
   readUvs(vertices: Uint32Array, out: Float32Array): void
-  /** Writes the packed xyz offsets by which a target (an index) moves the given vertices. Writes nothing if it does not move the part. */
+  /** Writes the packed xyz offsets by which a target (an index) moves the given vertices. Writes nothing if the target does not move the part. */
   readOffsets(target: number, vertices: Uint32Array, out: Float32Array): void
-  /** Writes the skinning weights of the given vertices to the head joint, 0..1; undefined if the character has no head joint. */
+  /** Writes, for each of the given vertices, its skinning weight for the head joint, 0..1; undefined if the character has no head joint. */
   readHeadWeights?: ((vertices: Uint32Array, out: Float32Array) => void) | undefined
 }
 
-/** Vertex index of corners whose vertex does not exist. `checkSkin` rejects skins with such corners. */
+/** Replaces vertex indices that are out of range. `checkSkin` rejects skins with this index. */
 const NO_VERTEX = 2 ** 31
 
 /**
- * Joins the parts of a mesh into one skin. Vertices that a part's triangles do not use are dropped: in many files, each part has all
- * vertices of the mesh.
+ * Joins the parts of a mesh into one skin. Vertices that a part's triangles do not use are dropped, because in many files each part contains
+ * all vertices of the mesh.
  *
  * @param names names of the targets.
  * @param placement 4 x 4 matrix from mesh to world space, column-major; default: identity.
- * @param expressions names of VRM expressions that move a single target, by the index of the target.
+ * @param expressions maps the index of a target to the name of a VRM expression that moves only this target.
  */
 export function joinParts(
   parts: readonly SkinPart[],
@@ -82,7 +81,7 @@ function usedVertices({ count, indices }: SkinPart): { vertices: Uint32Array; co
   return { vertices, corners }
 }
 
-/** Returns whether a matrix has a negative determinant. It turns triangles inside out, and glTF requires viewers to reverse their winding. */
+/** Returns whether a matrix has a negative determinant. Such a matrix turns triangles inside out; glTF requires a reversed winding then. */
 function isMirroring(m: ArrayLike<number>): boolean {
   const minor = (i: number, j: number) => m[i + 1] * m[j + 2] - m[i + 2] * m[j + 1]
   return m[0] * minor(4, 8) - m[4] * minor(0, 8) + m[8] * minor(0, 4) < 0

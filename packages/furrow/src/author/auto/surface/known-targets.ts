@@ -5,7 +5,10 @@ import type { TargetHints } from './stand-ins.ts'
 
 /** Recognised targets of a skin. */
 export interface KnownTargets {
-  /** Names or corrections of the targets. A name that contradicts the target's motion or a correction is replaced by a placeholder. */
+  /**
+   * Name of each target. If the user assigned an ARKit name to a target, this is the assigned name. A placeholder replaces a name that
+   * contradicts the target's motion. It also replaces the name of a target if the user assigned this name to another target.
+   */
   known: readonly string[]
   /** Kind of each target, derived from its motion and its name. */
   hints: TargetHints

@@ -28,7 +28,7 @@ export interface Landmarks {
 
 /** Skin belongs to a lid if a blink moves it by at least this fraction of the blink's largest displacement. */
 const LID = 0.15
-/** A point is at the end of a feature if it moves by at least this fraction of the target's largest displacement. */
+/** Brow ends and mouth corners consist of the points that a target moves by at least this fraction of its largest displacement. */
 const FEATURE_END = 0.85
 /** Half the width, in millimetres, of the strip in which the end of a brow is searched. */
 const STRIP = 5
@@ -36,7 +36,7 @@ const STRIP = 5
 /** Height in millimetres of the brow above the centre of the eye (Farkas 1994), for faces whose brows no target moves. */
 const BROW_HEIGHT = 20
 
-/** Suffixes that ARKit names have for one side of the face. */
+/** Suffixes in ARKit names for the left and the right side of the face. */
 const SIDE_SUFFIXES = ['Left', 'Right'] as const
 
 /**
@@ -74,8 +74,7 @@ export function findLandmarks(
   const outerBrow = featureNear(outer, FEATURE_END, 'browOuterUp') ?? down ?? browAbove(lid.high)
   const tip = foremost(surface, mouthCorner[1] * 0.75, mouthCorner[1] * 0.25)
   const browHeight = (innerBrow[1] + outerBrow[1]) / 2
-  // Hairline, brows, base of the nose and chin divide the face into thirds, and the lips meet a third below the nose (approximately,
-  // Farkas 1994).
+  // Hairline, brows, base of the nose and chin divide the face into approximate thirds (Farkas 1994).
   const noseBase = tip[1] + 0.22 * (mouthCorner[1] - tip[1]) - 2
   const third = browHeight - noseBase
   return {
@@ -93,19 +92,19 @@ export function findLandmarks(
   }
 }
 
-/** Sets the displacements on the other side of the face to 0. Side 0 is the person's left, side 1 the right. */
+/** Keeps the displacements on one side of the face, and sets all others to 0. Side 0 is the person's left, side 1 the right. */
 function onSide({ points }: SkinSurface, displacements: Float64Array, side: number): Float64Array {
   return displacements.map((distance, i) => (points[3 * i] > 0 === (side === 0) ? distance : 0))
 }
 
-/** Sets displacements to 0 outside two vertical strips, at the distance `across` on both sides of the middle. */
+/** Keeps the displacements in two vertical strips, at x = `across` and at x = `-across`, and sets all others to 0. */
 function inStrip({ points }: SkinSurface, displacements: Float64Array, across: number): Float64Array {
   return displacements.map((distance, i) =>
     Math.abs(Math.abs(points[3 * i]) - across) < STRIP ? distance : 0,
   )
 }
 
-/** Returns the centroid of the points that move at least `threshold` of the largest displacement, weighted by area and displacement. */
+/** Returns the centroid, weighted by area and displacement, of the points that move at least `threshold` times the largest displacement. */
 export function centroidOf(
   { points, areas }: SkinSurface,
   displacements: Float64Array,
@@ -131,7 +130,7 @@ function mirroredMean([left, right]: readonly (number[] | undefined)[]): Landmar
   return [mean(0), mean(1), mean(2)]
 }
 
-/** Returns the range of x of the points that move at least `threshold` of the largest displacement. */
+/** Returns the range of x of the points that move at least `threshold` times the largest displacement. */
 function extentOf({ points }: SkinSurface, displacements: Float64Array, threshold: number) {
   const largest = maxOf(displacements)
   let [low, high] = [Infinity, -Infinity]

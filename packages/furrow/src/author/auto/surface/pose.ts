@@ -4,7 +4,7 @@ export type Pose = ReadonlyMap<number, number>
 /**
  * Converts weights by name to a pose.
  *
- * @param find returns the indices of the targets with a name.
+ * @param find returns the indices of the targets (blendshapes) with a name.
  * @param weights weights by name. Names without a target are ignored.
  */
 export function poseOf(

@@ -15,9 +15,8 @@ import { moveToFirstTile } from './uv-tiles.ts'
 export interface PreparedSkin {
   /** Skin without broken targets, with UVs moved into 0..1. */
   skin: Skin
-  /** Names of the targets. */
   names: readonly string[]
-  /** Names of the targets as far as they are reliable: a name that contradicts the target's motion is replaced by a placeholder. */
+  /** Reliable names of the targets. A name that contradicts the target's motion is replaced by a placeholder. */
   known: readonly string[]
   /** Kind of each target, derived from its motion and its name. */
   hints: TargetHints
@@ -25,7 +24,7 @@ export interface PreparedSkin {
   find(name: string): number[]
   /** Undefined if the skin is not recognised as a face. */
   face: DetectedFace | undefined
-  /** Whether the skin is a head on which no face was detected, so that the places of its wrinkles are not known. */
+  /** Whether the skin is a head on which no face was detected, so that the positions of its wrinkles are unknown. */
   isUnknownHead: boolean
   /** Surface in millimetres. The surface of a face is in face coordinates. */
   surface: SkinSurface
@@ -37,14 +36,14 @@ export interface PreparedSkin {
   isMirrored: boolean
   /** Returns whether a triangle is drawn into the texture. If both halves share texels, only the left half is drawn. */
   isDrawn: (triangle: number) => boolean
-  /** Finds UV points on the triangles that are drawn. */
+  /** Finds the drawn triangle at a UV point. */
   locator: UvLocator
-  /** Complete sentences without a full stop. */
+  /** Each warning is a complete sentence without a full stop. */
   warnings: readonly string[]
 }
 
 /**
- * Checks a skin, moves its UVs into 0..1, welds it, and detects a face.
+ * Checks a skin, moves its UVs into 0..1, merges vertices with equal positions, and detects a face.
  *
  * @throws FurrowError if no wrinkles can be made for the skin.
  */
@@ -110,7 +109,7 @@ function percent(fraction: number): string {
   return `${Math.max(1, Math.round(100 * fraction))}%`
 }
 
-/** Checks that the scale is one that strokes documents allow, because the lines are stored in such a document. */
+/** Checks that the scale is in the range of strokes documents, because the wrinkle lines are stored in such a document. */
 function checkScale(scale: number): void {
   const [min, max] = SCALE_RANGE
   if (scale >= min && scale <= max) return

@@ -2,7 +2,7 @@ import { pointAreas, pointOffsets, type Skin, type SkinSurface, weldSurface } fr
 import { type DetectedFace, placedFace } from './detect-face.ts'
 
 /**
- * Welds a skin into the surface, in millimetres, on which `autoWrinkles` works.
+ * Converts a skin to the surface in millimetres that `autoWrinkles` uses. Vertices with equal positions are merged.
  *
  * @returns the surface, and the number of millimetres per unit of the skin. The surface of a face is in face coordinates: the origin is the
  *   midpoint of the eyes, x points to the person's left, y up and z forwards. Other skins keep their coordinate axes.
@@ -12,10 +12,10 @@ export function skinSurface(skin: Skin): { surface: SkinSurface; scale: number }
   return { surface, scale }
 }
 
-/** Maximum area in square millimetres. A tall adult's skin has 2.2 square metres (Mosteller 1987), so larger models are not in metres. */
+/** Maximum area in square millimetres: almost twice that of a tall adult (2.2 square metres, Mosteller 1987). Larger models are not in metres. */
 const MAX_AREA = 4e6
 
-/** Welds a skin that is not a face into one surface in millimetres. The skin is assumed to be in metres unless that makes it too large. */
+/** Converts a skin that is not a face to a surface in millimetres. The skin is assumed to be in metres, unless its area exceeds `MAX_AREA`. */
 export function weldInMillimetres(skin: Skin): Pick<DetectedFace, 'surface' | 'offsets' | 'scale'> {
   const welded = weldSurface(skin)
   const sum = pointAreas(welded.points, welded.corners).reduce((sum, area) => sum + area, 0)

@@ -15,7 +15,7 @@ export type TargetHints = readonly (NameHint | undefined)[]
 
 type Find = (name: string) => number[]
 
-/** Names, without `Left` and `Right`, of the blendshapes from which wrinkle lines are placed. */
+/** ARKit names, without `Left` and `Right`, of the blendshapes whose motion determines the positions of wrinkle lines. */
 const SHAPES = [
   'browInnerUp',
   'browOuterUp',
@@ -32,14 +32,14 @@ const SHAPES = [
   'mouthStretch',
 ]
 
-/** Guesses the kinds of targets from their corrections, their names, or the names of the VRM expressions that move them. */
+/** Guesses what each target does. Uses the name that the user assigned, the target's name, or the name of the VRM expression that moves it. */
 export function hintsOf(targets: readonly Omit<SkinTarget, 'offsets'>[]): TargetHints {
   return targets.map(hintOfTarget)
 }
 
 /**
- * Creates a function that finds the targets for an ARKit name, in the spelling of any rig. If no target has the shape, the function returns
- * stand-ins, which may be emotions that move the whole face.
+ * Creates a function that finds the targets (blendshapes) for an ARKit name, in the spelling of any rig. If no target matches the name, the
+ * function returns stand-ins, which may be emotions that move the whole face.
  *
  * @param targets names of the skin's targets.
  * @returns a function from a name to indices into `targets`. It returns an empty array if there is not even a stand-in.
@@ -58,7 +58,7 @@ export function partShapeFinder(targets: readonly string[], hints: TargetHints):
   return (name) => firstFound(name, [find, together, like])
 }
 
-/** Creates a function that finds only targets equal to the named shape or to parts of it. It returns no stand-ins. */
+/** Creates a function that finds only targets that equal the named shape or a part of this shape. The function returns no stand-ins. */
 function exactFinder(targets: readonly string[], hints: TargetHints): Find {
   const find = targetFinder(targets)
   const exact = ofSides((shape) => {
@@ -106,7 +106,7 @@ function sidesOf(shape: string): string[] {
   return BOTH_SIDES.includes(shape) ? [`${shape}Left`, `${shape}Right`] : [shape]
 }
 
-/** Makes a search for an ARKit shape accept names without a side, which then find the shapes of both sides. */
+/** Extends a search for ARKit shapes to names without a side. For such a name, the search returns the targets of both sides. */
 function ofSides(find: (shape: string) => number[]): Find {
   return (name) => [...new Set(sidesOf(canonicalTargetName(name)).flatMap(find))]
 }

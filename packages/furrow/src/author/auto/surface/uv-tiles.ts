@@ -2,14 +2,14 @@ import { uvArea } from '../../../math/triangle.ts'
 import { islandsOf } from '../../skin/islands.ts'
 import type { Skin } from '../../skin/surface.ts'
 
-/** Maximum fraction of the UV area outside 0..1 that is ignored: islands often extend slightly beyond the texture. */
+/** Smaller fractions of `crossing` are set to 0, because islands often extend slightly beyond the texture. */
 const OVERHANG = 0.01
 
 /**
  * Moves each UV island into 0..1 by an integer offset. The mesh looks the same, because renderers repeat the texture.
  *
- * @returns the moved skin, or the same object if all UVs are inside. `crossing` is the fraction of the UV area in triangles that still cross
- *   the edges of the texture, where no lines can be drawn; 0 if it is negligible.
+ * @returns the moved skin, or the same object if all UVs are inside 0..1. `crossing` is the fraction of the UV area whose
+ *   triangles still extend beyond the texture.
  */
 export function moveToFirstTile(skin: Skin): { skin: Skin; crossing: number } {
   const { uvs, indices } = skin
@@ -35,7 +35,7 @@ function isOutside(uvs: ArrayLike<number>): boolean {
   return false
 }
 
-/** Returns the fraction of the UV area in triangles that are partly or completely outside 0..1. */
+/** Returns the UV area of triangles that are partly or completely outside 0..1, as a fraction of the UV area of all triangles. */
 function fractionOutside(uvs: ArrayLike<number>, indices: ArrayLike<number>): number {
   let [outside, total] = [0, 0]
   for (let t = 0; t + 2 < indices.length; t += 3) {

@@ -28,7 +28,7 @@ export function sumOf(a: Float64Array, b: Float64Array, scale = 1): Float64Array
   return a.map((value, k) => value + scale * b[k])
 }
 
-/** Two unit vectors that describe the direction of a field, for comparison by dot product. */
+/** Two unit vectors that describe a displacement field regardless of its strength. Fields are compared by the dot products of these vectors. */
 export interface Descriptor {
   /** Weighted displacements. */
   plain: Float64Array

@@ -1,6 +1,6 @@
 /**
  * Points at which the displacements of blendshapes are sampled: a grid over the face, rows along the lids of both eyes, and rows along both
- * lips. Their order is grid, lids, lips. Coordinates are those of `FaceFrame`: the eyes are at u = -1 and u = 1, v grows upwards.
+ * lips. Their order is grid, lids, lips. Coordinates are those of `FaceFrame`: the eyes are at u = -1 and u = 1, and v grows upwards.
  */
 
 export interface GridPoint {
@@ -16,7 +16,10 @@ export const GRID: readonly GridPoint[] = Array.from({ length: COLUMNS * ROWS },
   v: LOWEST + GRID_STEP * (i % ROWS),
 }))
 
-/** Rows along the lids. `lid` is 1 for rows above the edge of the upper lid, -1 for rows below the edge of the lower lid. */
+/**
+ * Rows along the lids. `side` is 1 for the left eye, -1 for the right eye. `lid` is 1 for rows above the edge of the upper lid, -1 for rows
+ * below the edge of the lower lid. `distance` is the distance from this edge.
+ */
 export const LID_ROWS = [1, -1].flatMap((side) =>
   [1, -1].flatMap((lid) => [0.05, 0.25, 0.5].map((distance) => ({ side, lid, distance }))),
 )
@@ -25,7 +28,7 @@ export const LID_SAMPLES = [0, 2, 4, 6, 8, 10, 12, 14, 16]
 /** Distance of the outermost samples from the middle of the eye, as a fraction of half the eye's width. */
 export const LID_REACH = 0.94
 
-/** Rows along the lips. `lip` is 1 for rows above the line between the lips, -1 for rows below it. */
+/** Rows along the lips. `lip` is 1 for rows above the line between the lips, -1 for rows below it. `distance` is the distance from the line. */
 export const LIP_ROWS = [1, -1].flatMap((lip) => [0.1, 0.3].map((distance) => ({ lip, distance })))
 export const LIP_SAMPLES = 17
 
@@ -39,7 +42,7 @@ export const SAMPLE_U: readonly number[] = [
   ...LIP_ROWS.flatMap(() => Array.from({ length: LIP_SAMPLES }, (_, k) => -1 + k / 8)),
 ]
 
-/** Index of the sample at each sample's mirrored position. */
+/** For each sample, the index of the sample at its mirrored position. */
 export const MIRRORED: readonly number[] = [
   ...GRID.map((_, i) => (COLUMNS - 1 - Math.floor(i / ROWS)) * ROWS + (i % ROWS)),
   ...LID_ROWS.flatMap((_, row) => {

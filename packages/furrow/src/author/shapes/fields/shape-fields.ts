@@ -7,7 +7,7 @@ import { ALONG, closedEyes, type EyeOpening, eyeOpening, lipLine } from '../land
 import { interpolated } from '../vectors.ts'
 import { GRID, LID_REACH, LID_ROWS, LID_SAMPLES, LIP_ROWS, SAMPLES } from './sample-points.ts'
 
-/** Displacements of all targets at the points of `sample-points.ts`, which are at the same facial features on every face. */
+/** Displacements of all targets (blendshapes) at the points of `sample-points.ts`, which are at the same facial features on every face. */
 export interface ShapeFields {
   /** Weight of each sample in comparisons; 0 for samples outside the skin. */
   weights: Float64Array
@@ -23,11 +23,11 @@ export interface ShapeField {
   strength: number
   /** Whether the target closes the lids of the left and the right eye. */
   closes: readonly [left: boolean, right: boolean]
-  /** Fraction of the motion outside the face, for example of the skull, the ears or the body. */
+  /** Fraction of the motion outside the face, for example at the skull, the ears or the body. */
   outside: number
 }
 
-/** Points of the surface whose weighted mean is the displacement at a sample. */
+/** Points of the surface near a sample. The displacement at the sample is the weighted mean of their displacements. */
 interface Blend {
   indices: number[]
   /** Weight of each point; the sum is 1. */
@@ -36,7 +36,7 @@ interface Blend {
   weight: number
 }
 
-/** Lowest and highest v of a typical eye opening. Lid displacements are scaled to this height. */
+/** Lowest and highest v of a typical eye opening. Lid displacements are scaled as if the eye had this opening. */
 const OPENING = [-0.14, 0.2] as const
 
 /** Samples the displacements of all targets in face coordinates. */
@@ -71,7 +71,7 @@ function directionsOf({ normals }: MovingSurface, frame: FaceFrame): Float64Arra
   return directionsInFrame({ ...frame, scales: [1, 1, 1] }, normals)
 }
 
-/** Selects skin that faces forwards. Connected components that are entirely near one eye are eyeballs and lashes, which are excluded. */
+/** Selects skin that faces forwards. Excludes connected components that are entirely near an eye, because they are eyeballs or lashes. */
 function visiblePoints(
   { components }: MovingSurface,
   { region }: FaceFrame,
@@ -95,7 +95,7 @@ function heightsOf({ upper, lower }: EyeOpening): [bottom: number, top: number] 
   return [Math.min(...lower), Math.max(...upper)]
 }
 
-/** Returns the blends of the grid over the face. Positions are warped so that the eyes have the size of a typical face's eyes. */
+/** Returns the blends of the grid points. The face is warped so that its eyes have the size of a typical face's eyes. */
 function gridBlends(at: Float64Array, visible: readonly number[], opening: EyeOpening): Blend[] {
   const [bottom, top] = heightsOf(opening)
   const from = [-5, -2, bottom, top, top + 4]
@@ -109,7 +109,7 @@ function gridBlends(at: Float64Array, visible: readonly number[], opening: EyeOp
   return blendsOf(warped, visible, queries, 0.1, 1)
 }
 
-/** Returns the blends of the rows along the lids. Rows of an upper lid use only skin above the middle of the eye. Rows of a lower lid use only skin below it. */
+/** Returns the blends along the lids. Upper lids use only skin above the middle of the eye, lower lids only skin below the middle. */
 function lidBlends(at: Float64Array, visible: readonly number[], opening: EyeOpening): Blend[] {
   const along = ALONG.map((a) => LID_REACH * a)
   const middles = opening.upper.map((height, k) => (height + opening.lower[k]) / 2)
@@ -128,7 +128,7 @@ function lidBlends(at: Float64Array, visible: readonly number[], opening: EyeOpe
   })
 }
 
-/** Returns the blends of the rows along the lips. Rows of the upper lip use only skin above the lip line. Rows of the lower lip use only skin below it. */
+/** Returns the blends along the lips. The upper lip uses only skin above the lip line, the lower lip only skin below this line. */
 function lipBlends(at: Float64Array, visible: readonly number[], frame: FaceFrame): Blend[] {
   const { halfWidth, heights } = lipLine(frame)
   const us = ALONG.map((a) => halfWidth * a)

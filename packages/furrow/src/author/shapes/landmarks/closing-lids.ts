@@ -1,9 +1,10 @@
-import { dotOf, lengthOf, minus, plus, quantile, type Vector, vectorAt } from '../vectors.ts'
+import { quantile } from '../../../math/quantile.ts'
+import { dotOf, lengthOf, minus, plus, type Vector, vectorAt } from '../vectors.ts'
 import type { MirrorFit } from './mirror-plane.ts'
 import type { MovingRegion } from './moving-region.ts'
 import { distanceBetween, type MovingSurface, pickPoints, treeOf } from './moving-surface.ts'
 
-/** Two points of skin that are apart at rest and that a target brings together. Positions and distances are those at rest. */
+/** Two points of skin that a target (blendshape) brings together. Positions and distances are those of the rest pose. */
 export interface ClosingPair {
   first: Vector
   second: Vector
@@ -14,26 +15,26 @@ export interface ClosingPair {
   motion: number
 }
 
-// Distances are in radii of the moving region (see `MovingRegion`).
+// Distances are in units of `MovingRegion.radius`.
 /** Maximum distance between two points that a target has brought together. */
 const TOGETHER = 0.04
-/** Minimum distance between these points at rest. */
+/** Minimum distance at rest between two points that a target brings together. */
 const MIN_GAP = 0.1
-/** Minimum of a target's largest displacement. Weaker targets are ignored. */
+/** A target is ignored if its largest displacement is smaller than this. */
 const WEAK = 0.03
 /** Minimum distance of eyes from the symmetry plane. */
-const MAX_CENTRE_OFFSET = 0.2
+const MIN_PLANE_DISTANCE = 0.2
 /** Minimum distance of eyes from the mouth. */
 const FROM_MOUTH = 0.65
-/** Maximum distance between the mean positions of two targets that close the same eye. */
+/** Two targets close the same eye if the mean positions of their pairs are at most this far apart. */
 const ONE_EYE = 0.3
-/** Minimum ratio of the distance at rest to the distance when closed. */
+/** Minimum ratio of the distance between two points at rest to their distance when the target has brought them together. */
 const RATIO = 4
-/** A point counts as moved if its displacement exceeds this fraction of the largest displacement. */
+/** A target moves a point if the point's displacement exceeds this fraction of the target's largest displacement. */
 const MOVED = 0.25
 /** Maximum fraction of the points that a target moves when it closes lids. */
 const MAX_MOVED = 0.5
-/** Targets that shrink moved points below this fraction of their extent hide a part of the mesh, for example a second set of eyes. */
+/** A target is ignored if it shrinks the extent of the moved points below this fraction. Such a target hides a part, such as spare eyes. */
 const SHRUNK = 0.5
 const NEIGHBOURS = 8
 /** Minimum number of pairs per eye. */
@@ -107,8 +108,8 @@ function extent(points: Float64Array): number {
 }
 
 /**
- * Finds the eyes as the places, away from the symmetry plane and the mouth, at which a target closes lids. Pairs of both eyes are combined by
- * mirroring one side onto the other.
+ * Finds the eyes: the positions where a target closes lids, away from the symmetry plane and the mouth. The pairs of one eye are mirrored and
+ * combined with the pairs of the other eye.
  *
  * @param isAbove returns whether a position is far enough above the mouth to be an eye.
  * @returns centres of both eye openings. The first one is on the side to which the plane's normal points.
@@ -128,11 +129,11 @@ export function eyesOf(
     list.push(plus(middle, x, -2 * Math.min(0, offset(middle))))
     byMotion.set(motion, list)
   }
-  // Closing lids stay away from the symmetry plane. Folds of the chin, which also bring points together, cross it.
+  // Closing lids stay away from the symmetry plane. Folds of the chin also bring points together, but they cross the plane.
   const groups = [...byMotion.values()]
     .map((list) => ({
       all: list.length,
-      list: list.filter((point) => offset(point) > MAX_CENTRE_OFFSET * radius),
+      list: list.filter((point) => offset(point) > MIN_PLANE_DISTANCE * radius),
     }))
     .filter(({ all, list }) => list.length >= MIN_PAIRS && list.length > 0.9 * all)
     .map(({ list }) => list)

@@ -1,15 +1,5 @@
-import {
-  across,
-  crossed,
-  dotOf,
-  lengthOf,
-  minus,
-  plus,
-  quantile,
-  unit,
-  type Vector,
-  vectorAt,
-} from '../vectors.ts'
+import { quantile } from '../../../math/quantile.ts'
+import { across, crossed, dotOf, lengthOf, minus, plus, unit, type Vector, vectorAt } from '../vectors.ts'
 import { type ClosingPair, closingPairs, eyesOf } from './closing-lids.ts'
 import { type LipSeam, lipSeam } from './lip-seam.ts'
 import { type MirrorFit, mirrorPlane } from './mirror-plane.ts'
@@ -29,23 +19,23 @@ export interface FaceFrame {
   /** Length of one mesh unit in face coordinates, along each axis. */
   scales: Vector
   eyes: readonly [left: Vector, right: Vector]
-  /** Whether the eyes were found by closing lids. If not, they are placed relative to the mouth. */
+  /** Whether the eyes were found from closing lids. If not, they are placed relative to the mouth. */
   hasLids: boolean
   mouth: Vector
   seam: LipSeam | undefined
   closing: readonly ClosingPair[]
 }
 
-// Typical proportions, in units of half the distance between the eyes. They replace eyes or mouth if no lids close or no lips part.
+// Typical proportions, in units of half the distance between the eyes. They place the eyes if no lids close, or the mouth if no lips part.
 /** Half the width of the mouth. */
 const MOUTH_WIDTH = 0.73
 /** Height of the eyes above the mouth. */
 const EYE_HEIGHT = 2.1
-/** Minimum height of the eyes above the mouth, in the same unit. */
+/** Minimum height of the eyes above the mouth. */
 const MIN_EYE_HEIGHT = 0.3
 
 /**
- * Finds the face from the motion of targets alone: neither names nor an up axis are needed.
+ * Finds the face coordinates of a surface from the motion of its targets (blendshapes). Neither names nor an up axis are needed.
  *
  * @returns undefined if no target closes lids and none parts lips.
  */
@@ -89,7 +79,7 @@ export function faceFrame(surface: MovingSurface): FaceFrame | undefined {
   }
 }
 
-/** Returns the sum of the normals of moving skin, weighted by motion. Normals that point to the region's centre are ignored. */
+/** Returns the sum of the normals of moving skin, weighted by motion. Normals that point to the moving region's centre are ignored. */
 function facing({ points, normals }: MovingSurface, { centre, heat, near }: MovingRegion): Vector {
   return near.reduce<Vector>(
     (sum, i) => {
@@ -101,7 +91,7 @@ function facing({ points, normals }: MovingSurface, { centre, heat, near }: Movi
   )
 }
 
-/** Places the mouth below the eyes at a typical distance. Below is the side of the eyes on which the region's centre is. */
+/** Places the mouth at a typical distance from the eyes, in the direction of the moving region's centre. */
 function belowEyes({ centre }: MovingRegion, eyes: Vector, up: Vector, half: number): Vector {
   const sign = dotOf(minus(eyes, centre), up) < 0 ? -1 : 1
   return plus(eyes, up, -sign * EYE_HEIGHT * half)
@@ -110,7 +100,7 @@ function belowEyes({ centre }: MovingRegion, eyes: Vector, up: Vector, half: num
 /** Minimum ratio between the motions of the lower and the upper lip. */
 const LOWER_LIP = 1.1
 
-/** Finds the direction from the lower to the upper lip. The lower lip is the one that targets move more; undefined if both move alike. */
+/** Finds the direction from the lower lip, which targets move more, to the upper lip. Returns undefined if targets move both lips alike. */
 function upFromLips(
   { points, areas, motions }: MovingSurface,
   { radius, near }: MovingRegion,

@@ -1,4 +1,5 @@
-import { dotOf, minus, plus, quantile, type Vector, vectorAt } from '../vectors.ts'
+import { quantile } from '../../../math/quantile.ts'
+import { dotOf, minus, plus, type Vector, vectorAt } from '../vectors.ts'
 import type { MirrorFit } from './mirror-plane.ts'
 import type { MovingRegion } from './moving-region.ts'
 import { distanceBetween, type MovingSurface, treeOf } from './moving-surface.ts'
@@ -11,14 +12,14 @@ export interface LipSeam {
   points: readonly Vector[]
 }
 
-// Distances are in radii of the moving region (see `MovingRegion`).
+// Distances are in units of `MovingRegion.radius`.
 /** Maximum distance at rest between two points on opposite lips. */
 const PAIR = 0.12
-/** Minimum distance that a target adds between such points. */
+/** Minimum distance that a target adds between two points on opposite lips. */
 const PARTED = 0.1
 /** Maximum distance of the mouth's centre from the symmetry plane. */
 const MIDDLE = 0.25
-/** Points farther than this behind the region's centre are ignored. */
+/** Points are ignored if their distance behind the moving region's centre exceeds this. */
 const BEHIND = 0.6
 /** Maximum cosine between the normals of two lips that face each other. */
 const FACING = 0.2
@@ -33,7 +34,7 @@ export function lipSeam(
   forward: Vector,
 ): LipSeam | undefined {
   const front = near.filter((i) => dotOf(minus(vectorAt(points, i), centre), forward) > -BEHIND * radius)
-  // When a target pulls two points apart, at least one of them moves half of the added distance.
+  // When a target pulls two points apart, at least one of them moves by half the added distance or more.
   const isMoving = Uint8Array.from(front, (i) =>
     motions.some(({ distances }) => distances[i] > (PARTED / 2) * radius) ? 1 : 0,
   )

@@ -8,7 +8,7 @@ import { type MovingSurface, treeOf } from './moving-surface.ts'
 export interface MirrorFit {
   origin: Vector
   normal: Vector
-  /** Mean distance between mirrored points and the surface, in radii of the moving region. */
+  /** Mean distance between mirrored points and the surface, in radii of the moving region (a sphere around the skin that moves). */
   error: number
 }
 
@@ -18,14 +18,14 @@ const SAMPLES = 400
 const COARSE_SAMPLES = 120
 /** Maximum number of surface points that mirrored points are compared with. */
 const SURFACE = 16_000
-/** Number of initial planes, which all pass through the region's centre. */
+/** Number of initial planes. All of them pass through the moving region's centre. */
 const DIRECTIONS = 150
 /** Number of initial planes that are refined. */
 const REFINED = 3
 const ITERATIONS = 20
 /** Maximum cosine between the normals of two planes that are refined. */
 const MAX_COSINE = 0.97
-/** Maximum distance that counts, in radii of the region: one half of the head may have parts, such as hair, that the other half lacks. */
+/** Maximum distance, in radii of the moving region. Larger distances are clamped, because hair or other parts may have no mirror image. */
 const MAX_DISTANCE = 0.15
 
 /** Finds the plane across which a head is most symmetric, by iterative closest points (Besl and McKay 1992). */
@@ -106,7 +106,7 @@ function refine(
 }
 
 /**
- * Fits a plane to pairs of points so that mirroring the first point of a pair comes close to the second. The plane's normal n minimises the
+ * Fits a plane to pairs of points so that the first point of a pair is mirrored close to the second point. The plane's normal n minimises the
  * sum of `dot(n, p) * dot(n, q)` over the pairs (p, q), with p and q relative to their means.
  */
 function bestPlane(pairs: readonly [Vector, Vector][], before: Vector): MirrorFit {

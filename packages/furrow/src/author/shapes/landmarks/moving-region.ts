@@ -1,12 +1,13 @@
-import { median, type Vector, vectorAt } from '../vectors.ts'
+import { median } from '../../../math/quantile.ts'
+import { type Vector, vectorAt } from '../vectors.ts'
 import type { MovingSurface } from './moving-surface.ts'
 
-/** Part of a surface that targets move, as a sphere. */
+/** Sphere around the part of a surface that targets (blendshapes) move. */
 export interface MovingRegion {
   centre: Vector
   /** Typical distance of moved points from the centre. */
   radius: number
-  /** Share of each point in the motion of all targets. Weak and strong targets count the same. */
+  /** For each point, the sum of its shares in the motions of all targets. Weak and strong targets count the same. */
   heat: Float64Array
   /** Indices of the points within two radii of the centre. */
   near: Uint32Array

@@ -3,10 +3,10 @@ import { pointOffsets, type Skin, weldSurface } from '../../skin/surface.ts'
 
 /** Maximum number of points. Denser surfaces are subsampled. */
 const MAX_POINTS = 16_000
-/** Maximum displacement, as a multiple of the surface's extent. Targets that exceed it are broken and dropped. */
+/** Maximum displacement, as a multiple of the surface's extent. Targets with larger displacements are broken and dropped. */
 const MAX_OFFSET = 2
 
-/** Points of the skin in the rest pose, and their displacements by targets. */
+/** Points of the skin in the rest pose, and their displacements by targets (blendshapes). */
 export interface MovingSurface {
   /** Packed xyz. */
   points: Float64Array
@@ -30,7 +30,7 @@ export interface Motion {
   largest: number
 }
 
-/** Welds a skin, and drops targets that are broken or move nothing. Returns undefined if the skin is empty or a position is not finite. */
+/** Creates the surface of a skin. Drops targets that are broken or move nothing. Returns undefined if the surface is empty or not finite. */
 export function movingSurface(skin: Skin): MovingSurface | undefined {
   const welded = weldSurface(skin)
   const size = extentOf(welded.points)
@@ -118,7 +118,7 @@ function orient(points: Float64Array, normals: Float64Array, areas: Float64Array
   if (flux < 0) for (let i = 0; i < normals.length; i++) normals[i] = -normals[i]
 }
 
-/** Returns each point's connected component. A component's index is that of its first point. */
+/** Returns each point's connected component. The index of a component is the index of its first point. */
 function componentsOf(starts: Uint32Array, neighbours: Uint32Array): Uint32Array {
   const count = starts.length - 1
   const components = new Uint32Array(count).fill(count)

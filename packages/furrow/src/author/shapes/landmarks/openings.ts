@@ -1,4 +1,5 @@
-import { interpolated, quantile, type Vector } from '../vectors.ts'
+import { quantile } from '../../../math/quantile.ts'
+import { interpolated, type Vector } from '../vectors.ts'
 import { type FaceFrame, positionInFrame } from './face-frame.ts'
 
 /** Positions of samples along a lid or a lip, from one corner (-1) to the other (1). */
@@ -27,7 +28,7 @@ const COLUMNS = 16
 const REACH = 1.6
 const COLUMN = REACH / COLUMNS
 
-/** Traces the lip line from the middle to the corner of the mouth. In each column, it passes through the foremost points of the seam. */
+/** Traces the lip line from the middle to the corner of the mouth. In each column, it passes through the foremost points of `LipSeam`. */
 export function lipLine(frame: FaceFrame): LipLine {
   const standard: LipLine = { halfWidth: 0.8, heights: ALONG.map(() => -2) }
   if (!frame.seam) return standard
@@ -43,7 +44,7 @@ export function lipLine(frame: FaceFrame): LipLine {
       continue
     }
     const front = column.reduce((most, [, , z]) => Math.max(most, z), -Infinity)
-    // Beyond the corner of the mouth, the seam's points are inside the mouth, farther back.
+    // Beyond the corner of the mouth, the points of `LipSeam` are inside the mouth, farther back.
     if (found.length > 0 && front < found[found.length - 1].front - 0.35) break
     const outer = column.filter(([, , z]) => z > front - 0.12).map(([, v]) => v)
     found.push({ middle: start + COLUMN / 2, end, front, height: quantile(outer, 0.5) })
@@ -86,7 +87,7 @@ const CLOSED = 9
 /** The number of pairs must also exceed this fraction of the largest number of pairs that any target brings together. */
 const CLOSED_FRACTION = 0.08
 
-/** Returns, for each motion, whether it closes the lids of the left and of the right eye. */
+/** Returns, for each target in `MovingSurface.motions`, whether it closes the lids of the left and of the right eye. */
 export function closedEyes(frame: FaceFrame, motions: number): readonly (readonly [boolean, boolean])[] {
   const counts = Array.from({ length: motions }, () => [0, 0])
   for (const { first, second, motion } of frame.closing) {

@@ -9,7 +9,7 @@ export function assign(cost: readonly Float64Array[]): number[] {
   const [rows, columns] = [cost.length, cost[0]?.length ?? 0]
   const rowPrice = new Float64Array(rows + 1)
   const columnPrice = new Float64Array(columns + 1)
-  /** Row of each column, counted from 1. */
+  /** Row assigned to each column; rows and columns are counted from 1, and row 0 means none. */
   const rowOf = new Int32Array(columns + 1)
   const before = new Int32Array(columns + 1)
   for (let row = 1; row <= rows; row++) {

@@ -3,11 +3,12 @@ import type { ShapeFields } from '../fields/shape-fields.ts'
 import type { Match } from './match.ts'
 
 const SWEEPS = 200
-/** Maximum fraction of a composite's energy that remains after subtracting a combination of all other shapes. */
+// A composite is a shape that is a sum of other shapes, for example a viseme.
+/** After subtracting the best combination of all other shapes, at most this fraction of a composite's squared motion remains. */
 const EXPLAINED = 0.006
-/** Minimum fraction of a composite's energy that remains after subtracting a combination of shapes of its own family. */
+/** After subtracting other shapes with labels of the same family, at least this fraction of a composite's squared motion remains. */
 const MIXED = 0.0003
-/** Minimum ratio of the second remainder to the first. */
+/** Minimum ratio of the remainder described at `MIXED` to the remainder described at `EXPLAINED`. */
 const GAIN = 4
 
 /**
@@ -34,7 +35,7 @@ export function compositesOf({ shapes, weights }: ShapeFields, matches: readonly
  * method is projected Gauss-Seidel (Murty: Linear Complementarity, 9.3).
  *
  * @param gram dot products between the other vectors.
- * @param right dot products of the other vectors with the vector.
+ * @param right dot products of the other vectors with the unit vector.
  * @param used indices of the other vectors that may be combined.
  */
 function residualOf(gram: readonly Float64Array[], right: Float64Array, used: readonly number[]): number {

@@ -6,19 +6,19 @@ import { FOUND, MAX_DIFFERENT, type Match, SAME } from './match.ts'
 
 /** Minimum confidence of a shape that is recognised by its motion alone. */
 export const UNSURE = 0.45
-/** Minimum confidence in a label by motion that contradicts the shape's name. Below it, the name decides. */
+/** Minimum confidence at which a label found by motion overrules a contradicting name. */
 export const SURE = 0.7
 
 /** Number of labels in a complete ARKit set. */
 const FULL_SET = 51
 
-/** Plausible heights of the eyes above the mouth, in units of half the distance between the eyes. Other heights suggest wrong landmarks. */
+/** Plausible range of the eyes' height above the mouth, in units of half the distance between the eyes. Outside it, landmarks may be wrong. */
 const HEIGHTS = [1.5, 3] as const
 
 /**
- * Computes the confidence of each match, 0..1. It is a logistic function of the match's score, its margin to other labels, the motion
- * outside the face, and doubt about the landmarks. A nearly complete ARKit set raises the confidence, because few labels remain for each
- * shape. The coefficients are fitted to heads from several sources, with all and with some of their shapes.
+ * Computes the confidence of each match of a blendshape and an ARKit label, 0..1. It is a logistic function of the match's score, its margin
+ * to other labels, the motion outside the face, and doubt about the landmarks. A nearly complete ARKit set raises the confidence, because few
+ * labels remain for each shape. The coefficients are fitted to heads from several sources, with complete and incomplete sets of shapes.
  */
 export function confidencesOf(
   { shapes }: ShapeFields,
@@ -36,7 +36,7 @@ export function confidencesOf(
   })
 }
 
-/** Returns the doubt about the landmarks. The mouth is guessed if no target opens the lips, the eyes if no target closes the lids. */
+/** Returns the doubt about the landmarks. The mouth is guessed if no target opens the lips. The eyes are guessed if no target closes lids. */
 function doubtOf({ hasLids, seam, scales }: FaceFrame): number {
   if (!seam) return 5
   if (!hasLids) return 3

@@ -20,13 +20,13 @@ export interface Match {
   /** Index in `ShapeFields.shapes`. */
   shape: number
   label: ShapeLabel
-  /** Similarity of the shape to the label's templates, at most about 1. Closed lids add to the score of a blink. */
+  /** Similarity of the shape to the label's templates (motions of reference heads), at most about 1. Closed lids raise a blink's score. */
   score: number
-  /** Lead of the label's score over other labels. It is smaller if another shape would fit the label almost as well. */
+  /** Difference between the scores of the label and the next best label. It is smaller if another shape fits the label almost as well. */
   margin: number
   /**
-   * Cosine between the shape's motion and the motion that other shapes predict for the label; 1 if nothing is predicted. For example, the
-   * left and the right smile predict the smile on both sides.
+   * Cosine between the shape's motion and the motion that other shapes predict for the label. For example, the left and the right smile
+   * predict the smile on both sides. Without a prediction, this is the cosine to the motion of the label's owner (see `matchShapes`).
    */
   kinship: number
 }
@@ -43,18 +43,17 @@ const WEAK = 0.01
 export const SAME = 0.975
 /** Maximum cosine between two motions that count as different. */
 export const MAX_DIFFERENT = 0.9
-/** Maximum difference between the scores of two rivals for a label. */
+/** A shape's rival for a label scores at most this much less than the shape. */
 const RIVAL = 0.11
 /** Minimum score of a shape for a label that it may own. Each label has at most one owner, see `matchShapes`. */
 const MIN_SCORE = 0.3
-/** Minimum score of a label that counts as found. */
+/** A label counts as found if a shape has at least this score for it. */
 export const FOUND = 0.45
 /** Penalty if shape and template differ in strength: factor on the absolute natural logarithm of the ratio of their strengths. */
 const STRENGTH = 0.04
 /** Two labels whose templates are at most this similar are distinct: the difference of their scores counts fully. */
 const DISTINCT = 0.5
 
-/** Scores of all shapes for all labels. */
 export interface Scores {
   labels: readonly ShapeLabel[]
   /** For each shape, its score for each label. */
@@ -101,7 +100,7 @@ export function scoresOf(fields: ShapeFields, heads: readonly TemplateHead[]): S
   return { labels, scores, templates }
 }
 
-/** Replaces the scores of shapes that the user corrected, so that they get their labels before all other shapes. */
+/** Replaces the scores of shapes whose ARKit name the user assigned, so that these shapes get their labels before all other shapes. */
 export function correctScores(
   { labels, scores, templates }: Scores,
   { shapes }: ShapeFields,
@@ -128,8 +127,8 @@ function sideScore({ family, side }: ShapeLabel, left: number): number {
 }
 
 /**
- * Assigns labels to shapes: at first one shape to each label, so that the total score is highest. Remaining shapes get the label that fits
- * them best, even if another shape has it.
+ * Assigns labels to shapes. First, each label is assigned to at most one shape, its owner, so that the total score is highest. Then each
+ * remaining shape gets the label that fits it best, even if the label has an owner.
  *
  * @param composites indices of shapes that get no label.
  */
@@ -151,11 +150,10 @@ export function matchShapes(
     return row
   })
   const columns = assign(cost)
-  /** Owner of each label: the shape assigned to it first. */
   const owners = new Map(live.map((shape, n) => [columns[n], shape]))
   /**
-   * Factor on the difference between a shape's scores for two labels, if the second label has no owner. Templates of different families that
-   * are alike give a small factor, because their scores are then close for every shape.
+   * Factor on the difference between a shape's scores for two labels, if the second label has no owner. The factor is small if the templates
+   * of two families are alike, because the scores for such labels are close for every shape.
    */
   const dissimilarity = (j: number, k: number) =>
     labels[j].family === labels[k].family || isOpposite(labels[j], labels[k])
@@ -218,8 +216,9 @@ export function matchShapes(
 }
 
 /**
- * Predicts the motion of a label from other shapes. A label for both sides is the sum of the left and the right shape. A label for one side
- * is half of the shape for both sides, if that shape has the better score.
+ * Predicts the motion of a shape with the given label from shapes of the same family for other sides. For both sides, the prediction is the
+ * sum of the left and the right shape. For one side, it is this side's half of the shape for both sides. The shape for both sides is used only
+ * if its score is higher than the score of the label's owner.
  */
 function otherSides(
   { family, side }: ShapeLabel,
@@ -242,7 +241,6 @@ function isOpposite({ side }: ShapeLabel, other: ShapeLabel): boolean {
   return side !== other.side && side !== 'both' && other.side !== 'both'
 }
 
-/** Returns the maximum similarity between templates of two labels. */
 function maxLikeness(a: readonly Descriptor[], b: readonly Descriptor[]): number {
   return Math.max(...a.flatMap((one) => b.map((other) => likeness(one, other))))
 }

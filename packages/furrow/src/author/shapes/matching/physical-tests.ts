@@ -3,29 +3,28 @@ import type { ShapeLabel } from '../families.ts'
 import { GRID, LID_ROWS, LID_SAMPLES, LIP_SAMPLES } from '../fields/sample-points.ts'
 import type { ShapeField } from '../fields/shape-fields.ts'
 
-/** Added to the score of a blink if the lids meet. */
+/** Increase of the score of a blink if the lids meet. */
 const CLOSED_LIDS = 0.5
-/** Maximum change of the score of a smile or a dimple by the motion of the mouth's corner. */
+/** Maximum change of the score of a smile or a dimple, depending on the motion of the mouth's corner. */
 const RISING_CORNER = 0.12
 
 /** Index of the first sample along the upper lip. */
 const UPPER_LIP = GRID.length + LID_ROWS.length * LID_SAMPLES.length
-/** Position in the row at which the samples near the left corner start. */
+/** Index in a row of lip samples at which the samples near the left corner of the mouth start. */
 const CORNER = 14
 
-/** Tests whether a shape has a motion that is typical for a label, and returns the change of the label's score. */
+/** Tests whether a blendshape has a motion that is typical for an ARKit label, and returns the change of the label's score. */
 export function physicalScore(label: ShapeLabel, shape: ShapeField): number {
   return lidScore(label, shape) + cornerScore(label, shape)
 }
 
-/** Raises the score of a blink if the lids meet. */
 function lidScore({ family, side }: ShapeLabel, { closes: [left, right] }: ShapeField): number {
   if (family !== 'eyeBlink') return 0
   const isClosed = side === 'both' ? left && right : side === 'left' ? left : right
   return isClosed ? CLOSED_LIDS : 0
 }
 
-/** A smile raises the corner of the mouth more than it draws it outwards; a dimple does the opposite. */
+/** Compares how far a corner of the mouth rises and moves outwards: it mostly rises in a smile, and mostly moves outwards in a dimple. */
 function cornerScore({ family, side }: ShapeLabel, { field, strength }: ShapeField): number {
   if (family !== 'mouthSmile' && family !== 'mouthDimple') return 0
   const sign = side === 'right' ? -1 : 1

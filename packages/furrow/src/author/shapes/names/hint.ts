@@ -12,8 +12,8 @@ const PARTS_OF_FACES =
   /^(brows?|brw|eyes?|eyelids?|lids?|lash(es)?|cheeks?|nose|mouth|mth|ha|hair|lips?|jaw|chin|tongue|teeth|ears?|neck|no|not|non|un)\d*$/i
 
 /**
- * Guesses a blendshape's kind from its name. It knows the names of common rigs and ignores prefixes and suffixes that exporters add. The
- * result is only a hint, because the names in files can be wrong.
+ * Guesses from its name what a blendshape does. The function knows the names of common rigs, and ignores prefixes and suffixes that exporters
+ * add. The result is only a hint, because the names in files can be wrong.
  *
  * @returns undefined if the name is unknown.
  */

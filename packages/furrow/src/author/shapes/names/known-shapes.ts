@@ -5,7 +5,7 @@ import { RIGS } from './rigs/index.ts'
 
 type Side = 'Left' | 'Right'
 
-/** Words for the sides in names of blendshapes. */
+/** Words for left and right in names of blendshapes. */
 const SPELLINGS: readonly (readonly [Side, readonly string[]])[] = [
   ['Left', ['Left', 'L', '左']],
   ['Right', ['Right', 'R', '右']],
@@ -27,7 +27,7 @@ export function knownShape(name: string): NameHint | undefined {
   return known.get(keyOf(name))
 }
 
-/** Removes case and separators from a name. The words `l` and `r` are marked, because the last letter of `browRaiser` is not a side. */
+/** Removes case and separators from a name. Puts the words `l` and `r` in parentheses, so that `browRaise_R` differs from `browRaiser`. */
 function keyOf(name: string): string {
   const words = BOUNDARIES.reduce((rest, boundary) => rest.replace(boundary, ' '), name)
     .toLowerCase()
@@ -38,7 +38,7 @@ function keyOf(name: string): string {
 function allNames(): Map<string, NameHint> {
   const found = new Map<string, NameHint>()
   const rows = [arkit(), ...RIGS].flatMap(rowsOf)
-  // Names that rigs list take precedence over names that are formed by adding a side.
+  // A name in a rig's table takes precedence over an equal name that is formed by adding a side.
   for (const withSide of [false, true]) {
     for (const [rank, row] of rows.entries()) {
       for (const [name, side] of withSide ? sidedNames(row.name) : [[row.name, undefined] as const]) {
@@ -96,7 +96,7 @@ function hintOfRow({ kind, match, shapes }: Row, side: Side | undefined, rank: n
     const [left, right] = [sides[0], sides[1] ?? sides[0]]
     return [...(side === 'Right' ? [] : [`${left}Left`]), ...(side === 'Left' ? [] : [`${right}Right`])]
   })
-  // A name with a side for a shape that ARKit has only for both sides.
+  // True if the name contains a side, but ARKit has only one shape for both sides.
   const isHalf = match === 'same' && side !== undefined && found.length === 1 && CENTRAL.includes(found[0])
   return { kind, shapes: found, match: isHalf ? 'part' : match, side, rank }
 }

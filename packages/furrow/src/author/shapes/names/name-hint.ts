@@ -18,9 +18,9 @@ export type ShapeKind =
 /** Meaning of a blendshape's name. */
 export interface NameHint {
   kind: ShapeKind
-  /** ARKit names of the shapes that `match` relates the blendshape to; empty if it resembles no ARKit shape. */
+  /** ARKit names of similar shapes; `match` tells how they relate to the blendshape. Empty if there are none. */
   shapes: readonly string[]
-  /** `same`: the blendshape is the sum of these shapes. `part`: it is a part of each shape. `like`: it moves the same skin as they do. */
+  /** `same`: the blendshape is the sum of `shapes`. `part`: it is a part of each of them. `like`: it moves the same skin as they do. */
   match: 'same' | 'part' | 'like'
   /** Side that the name contains. */
   side: 'Left' | 'Right' | undefined

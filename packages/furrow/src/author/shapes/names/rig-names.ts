@@ -1,10 +1,10 @@
 /**
  * Names of a rig's blendshapes, and the ARKit shapes that they correspond to.
  *
- * A key is a name of the rig. Files may add a side, such as `L`, at either end of the name, or in place of a `*`. Without a side, the name
- * means both sides.
+ * Each key is a blendshape name in the rig. Files may add a side, such as `L`, at either end of the name, or in place of a `*`. Without a
+ * side, the name means both sides.
  *
- * A value lists ARKit names without a side, separated by spaces. `a|b` means shape `a` on the left side and shape `b` on the right side.
+ * Each value lists ARKit names without a side, separated by spaces. `a|b` means shape `a` on the left side and shape `b` on the right side.
  */
 export interface RigNames {
   /** Page that lists the names. */

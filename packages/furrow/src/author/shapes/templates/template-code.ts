@@ -2,18 +2,19 @@ import { CENTRAL, isCentral, SHIFTED, SIDED } from '../families.ts'
 import { MIRRORED, SAMPLES } from '../fields/sample-points.ts'
 import type { TemplateHead, TemplateShape } from './templates.ts'
 
-/** Families in the order of their codes. */
+/** Families of ARKit shapes. The code of a family is its index. */
 const FAMILIES: readonly string[] = [...SIDED, ...CENTRAL, ...SHIFTED]
 /** Quantisation steps per unit of a strength or a maximum coordinate. */
 const STEPS = 10_000
 
-// Fields of sided shapes store all samples. Fields of central shapes are symmetric and store only one half of the face.
+// Shapes in `CENTRAL` are symmetric and store only one half of the face. Other shapes store the displacements of all samples.
 const ALL = Array.from({ length: SAMPLES }, (_, i) => i)
 const HALF = ALL.filter((i) => i <= MIRRORED[i])
 
 /**
- * Encodes a head as bytes: the weights of the samples, then the family, strength, maximum coordinate and field of each shape. Coordinates of
- * a field have 8 bits on a square-root scale, which has finer steps near 0. A run of zeros is stored as a zero and the length of the run.
+ * Encodes the shapes of a reference head as bytes: the weights of the samples, then the family, strength, maximum coordinate and displacement
+ * field of each shape. Coordinates of a field have 8 bits on a square-root scale, which has finer steps near 0. A run of zeros is stored as a
+ * zero and the length of the run.
  */
 export function encodeHead({ weights, shapes }: TemplateHead): Uint8Array {
   const bytes: number[] = Array.from(weights, (weight) => Math.round(255 * weight))
@@ -41,7 +42,6 @@ export function encodeHead({ weights, shapes }: TemplateHead): Uint8Array {
   return Uint8Array.from(bytes)
 }
 
-/** Decodes the output of `encodeHead`. */
 export function decodeHead(bytes: Uint8Array): TemplateHead {
   const weights = Float64Array.from(bytes.subarray(0, SAMPLES), (byte) => byte / 255)
   const shapes: TemplateShape[] = []

@@ -1,6 +1,6 @@
 /*!
- * Typical shapes, as `template-code.ts` encodes them; written by `npm run shape-templates`. `builder` is the mean of the faces that ship with
- * Furrow (CC0 1.0). `scan` is derived from ICT-FaceKit, under this licence:
+ * Typical motions of ARKit shapes, encoded by `template-code.ts`. This file is written by `npm run shape-templates`. `builder` is the mean of
+ * the faces that ship with Furrow (CC0 1.0). `scan` is derived from ICT-FaceKit, under this licence:
  *
  * MIT License
  *

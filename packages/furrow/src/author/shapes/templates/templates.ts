@@ -14,8 +14,8 @@ import { MIRRORED } from '../fields/sample-points.ts'
 import type { ShapeFields } from '../fields/shape-fields.ts'
 
 /**
- * ARKit shapes of a head with which other heads are compared. Families that have a left and a right shape are stored once, as the left
- * shape. All other shapes are symmetric, except `jawLeft` and `mouthLeft`.
+ * ARKit shapes of a reference head. The blendshapes of other heads are compared with these shapes. Families that have a left and a right
+ * shape are stored once, as the left shape. All other shapes are symmetric, except `jawLeft` and `mouthLeft`.
  */
 export interface TemplateHead {
   /** Weight of each sample point; see `ShapeFields`. */
@@ -23,21 +23,21 @@ export interface TemplateHead {
   shapes: readonly TemplateShape[]
 }
 
-/** Shape of a head. `field` and `strength` are those of `ShapeField`. */
+/** Shape of a head. `ShapeField` describes `field` and `strength`. */
 export interface TemplateShape {
   family: string
   field: Float64Array
   strength: number
 }
 
-/** Shape of a head, expanded to one side or to both sides. */
+/** Shape of a head for one side or for both sides of the face. */
 export interface Template extends ShapeLabel {
   field: Float64Array
   strength: number
 }
 
 /**
- * Creates templates from a head whose shapes are named like ARKit's. The left half and the mirrored right half of the head are averaged.
+ * Creates a reference head from a head with ARKit shapes. The left half and the mirrored right half of the head are averaged.
  *
  * @param names ARKit name of each target.
  */
@@ -61,7 +61,7 @@ export function templateHead({ weights, shapes }: ShapeFields, names: readonly s
         sumOf(field, mirrored).map((x) => x / 2),
         strength,
       )
-    // A central shape that the rig splits: this half and its mirror image add up to the shape.
+    // The rig splits this central shape. This half and its mirror image add up to the shape.
     else add(family, sumOf(field, mirrored), strength)
   }
   const symmetric = weights.map((weight, i) => (weight + weights[MIRRORED[i]]) / 2)
@@ -100,7 +100,6 @@ export function templatesOf({ shapes }: TemplateHead): Template[] {
   })
 }
 
-/** Averages several heads. */
 export function meanHead(heads: readonly TemplateHead[]): TemplateHead {
   const families = [...new Set(heads.flatMap(({ shapes }) => shapes.map(({ family }) => family)))]
   return {

@@ -3,22 +3,22 @@ import type { SkinCanvas } from '../../skin/canvas.ts'
 import type { Stroke } from '../document.ts'
 import { layOutStroke } from '../lay-out.ts'
 
-/** Uninterrupted part of a stroke as a line in space, in mesh coordinates. */
+/** Uninterrupted part of a stroke (a wrinkle) as a 3D line in mesh coordinates. */
 export interface StrokeCurve {
   /** Packed xyz. */
   points: Float64Array
   /** Unit normals of the skin at the points, packed xyz. */
   normals: Float64Array
-  /** Position of each point along the stroke, as a fraction of its length, 0..1. */
+  /** Position of each point along the stroke, as a fraction of the stroke's length, 0..1. */
   along: Float64Array
 }
 
-/** Point of a stroke nearest to a position. */
+/** Point on a stroke's line. It is the point nearest to a given position. */
 export interface StrokePoint {
   position: [x: number, y: number, z: number]
-  /** Distance from the position, in mesh units. */
+  /** Distance from the given position, in mesh units. */
   distance: number
-  /** Position along the stroke, as a fraction of its length, 0..1. */
+  /** Position along the stroke, as a fraction of the stroke's length, 0..1. */
   along: number
 }
 

@@ -17,12 +17,12 @@ export interface MirrorPlane {
 const MIDDLE: MirrorPlane = { origin: [0, 0, 0], normal: [1, 0, 0] }
 
 /**
- * Mirrors a stroke across a plane. Each control point moves to the point of the skin nearest to its mirror image. The left and right values
- * of the cross-section are swapped, and a suffix `Left` or `Right` of the group's name changes to the other one. If both halves of the face
- * share texels, the result has the same points as the stroke.
+ * Mirrors a stroke (a wrinkle) across a plane. Each control point moves to the point of the skin nearest to its mirror image. The left and
+ * right values of the cross-section are swapped, and so are the suffixes `Left` and `Right` of the group's name. If both halves of the face
+ * share texels, the mirrored stroke has the same points as the original.
  *
  * @param plane symmetry plane of the face. Default: x = 0.
- * @returns the mirrored stroke as a spline (`splineOf`).
+ * @returns the mirrored stroke, converted to a spline by `splineOf`.
  */
 export function mirrorStroke<S extends Stroke>(stroke: S, canvas: SkinCanvas, plane = MIDDLE): S {
   const { surface, locator, scale } = canvas

@@ -6,15 +6,15 @@ import type { Stroke } from '../document.ts'
 import { splineOf } from './spline-of.ts'
 import { clamped, knotsOf, traceStroke, uvOf } from './traced-stroke.ts'
 
-/** Maximum step of a point over the skin in millimetres. */
+/** Maximum length in millimetres of one step when a point moves over the skin. */
 const STEP = 0.5
 
 /**
- * Inserts a control point on a stroke's line. The line moves slightly: on faces by a median of 0.01 mm, and by at most 0.1 mm.
+ * Inserts a control point on the line of a stroke (a wrinkle). The insertion moves the line by at most 0.1 mm.
  *
  * @param along position on the line as a fraction of its length, 0..1.
- * @returns the stroke as a spline (`splineOf`), and the index of the new point. Returns the unchanged stroke and -1 if the stroke already
- *   has a point at this position, or is outside the skin.
+ * @returns the stroke, converted to a spline by `splineOf`, and the index of the new point. Returns the unchanged stroke and -1 if the stroke
+ *   already has a point at this position, or is outside the skin.
  */
 export function insertPoint<S extends Stroke>(
   stroke: S,
@@ -55,8 +55,8 @@ export function removePoint<S extends Stroke>(stroke: S, index: number, skin: Lo
 /**
  * Smooths a stroke: moves each inner point over the skin towards the straight line between its neighbours. The ends stay.
  *
- * @param amount fraction of the distance to that straight line by which each point moves, 0..1.
- * @returns the stroke as a spline (`splineOf`).
+ * @param amount strength, 0..1: 0 leaves the points in place, 1 moves them to the straight line.
+ * @returns the stroke, converted to a spline by `splineOf`.
  */
 export function smoothStroke<S extends Stroke>(stroke: S, amount: number, skin: LocatedSkin): S {
   const { surface, locator } = skin

@@ -3,12 +3,12 @@ import type { LocatedSkin } from '../curve.ts'
 import type { Stroke } from '../document.ts'
 import { traceStroke, uvOf } from './traced-stroke.ts'
 
-/** Maximum distance in millimetres between a spline and the line it replaces: a thirtieth of a fine wrinkle's width. */
+/** Maximum distance in millimetres between a spline and the line it replaces. */
 export const TOLERANCE = 0.08
 
 /**
- * Converts a stroke to a spline, because the points of a spline can be moved one by one and across UV seams. The new line is within 0.08 mm
- * of the old one. The spline bridges gaps where the texture has no skin.
+ * Converts a stroke (a wrinkle) to a spline, because only the points of a spline can be moved across UV seams. The new line is within 0.08 mm
+ * of the old one. If the stroke is interrupted at gaps in the skin, the spline bridges them.
  *
  * @returns the stroke itself if it is already a spline, or is outside the skin.
  */

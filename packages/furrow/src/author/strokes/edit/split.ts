@@ -7,14 +7,15 @@ import { checkIndex } from './points.ts'
 import { splineOf, TOLERANCE } from './spline-of.ts'
 import { knotsOf, traceStroke, uvOf } from './traced-stroke.ts'
 
-/** Spacing of a part's depth factors in millimetres. */
+/** Approximate spacing of the depth factors (`Stroke.depths`) of a part, in millimetres. */
 const FACTOR_SPACING = 1
 /** Maximum number of depth factors per stroke. */
 const MAX_FACTORS = 256
 
 /**
- * Splits a stroke in two at one of its points. Points are added so that both parts stay within 0.08 mm of the line. Both parts keep the
- * stroke's depths and do not taper at the cut. The waviness of the second part changes, because it depends on the part's first point.
+ * Splits a stroke (a wrinkle) in two at one of its points. Points are added so that both parts stay within 0.08 mm of the original line. Both
+ * parts keep the stroke's depths and do not taper at the cut. The second part has a different waviness, because its random seed is derived
+ * from its first point.
  *
  * @param index index of an inner point in the spline that `splineOf` returns for the stroke.
  * @returns both parts as splines; the first one contains the start of the stroke.
@@ -32,7 +33,6 @@ export function splitStroke<S extends Stroke>(stroke: S, index: number, skin: Lo
     if (!(end > start)) return { ...spline, points }
     return { ...spline, points, ...shapeOf(spline, start, end, line.lengths.at(-1) ?? end) }
   }
-  /** Returns the control points of the part between two points of the stroke. */
   function splinePoints(of: S, first: number, last: number): S['points'] {
     const own = knots.slice(first, last + 1)
     if (own.some((knot, i) => i > 0 && knot <= own[i - 1])) return of.points.slice(first, last + 1)
@@ -50,7 +50,7 @@ export function splitStroke<S extends Stroke>(stroke: S, index: number, skin: Lo
   return [part(0, index), part(index, spline.points.length - 1)]
 }
 
-/** Computes tapers and depths of a part of a stroke, between two arc lengths in millimetres. */
+/** Computes tapers and depth factors of the part of a stroke between the arc lengths `start` and `end`. Lengths are in millimetres. */
 function shapeOf(
   { depths, taper }: Stroke,
   start: number,
@@ -70,7 +70,7 @@ function shapeOf(
   return {
     taper: own,
     depths: Array.from({ length: count }, (_, i) => {
-      // At the exact ends both tapers are zero and their ratio is undefined.
+      // At the exact ends, the tapers of the stroke and of the part can both be zero, so that their ratio is undefined.
       const t = clamp(i / (count - 1), 1e-3, 1 - 1e-3)
       const whole = lerp(start, end, t) / total
       return clamp((depthFactor(depths, whole) * taperAt(whole, taper)) / (taperAt(t, own) || 1), 0, 1)

@@ -4,7 +4,7 @@ import { type LocatedSkin, layCurve } from '../curve.ts'
 import type { Stroke } from '../document.ts'
 import { arcLengths } from '../lay-out.ts'
 
-/** Line of a stroke on the skin, from end to end in short steps. A gap without skin is one long step. */
+/** Line of a stroke (a wrinkle) on the skin, from end to end in short steps. One long step crosses each gap in the skin. */
 export interface TracedStroke {
   /** Packed xyz in millimetres. */
   points: Float64Array
@@ -14,7 +14,7 @@ export interface TracedStroke {
   lengths: Float64Array
 }
 
-/** Lays a stroke's line on the skin. The result has no points if the stroke is outside the skin. */
+/** Converts a stroke to a line on the skin. The line has no points if the stroke is outside the skin. */
 export function traceStroke(stroke: Stroke, skin: LocatedSkin): TracedStroke {
   const lines = layCurve(stroke, skin)
   const points = Float64Array.from(lines.flatMap((line) => [...line.points]))
@@ -25,19 +25,18 @@ export function traceStroke(stroke: Stroke, skin: LocatedSkin): TracedStroke {
   }
 }
 
-/** Returns the UV coordinates of a point of a line. */
 export function uvOf({ points, triangles }: TracedStroke, i: number, { surface, locator }: LocatedSkin): Uv {
   const weights = new Float64Array(3)
   barycentricsAt(weights, surface, triangles[i], points.subarray(3 * i, 3 * i + 3))
   return clamped(locator.uvAt(triangles[i], weights))
 }
 
-/** Clamps UV coordinates to 0..1, the range allowed in documents. A line that passes the skin's border can leave the texture. */
+/** Clamps UV coordinates to 0..1, the range allowed in documents. A line that passes the skin's border can exceed this range. */
 export function clamped([u, v]: Uv): Uv {
   return [Math.min(1, Math.max(0, u)), Math.min(1, Math.max(0, v))]
 }
 
-/** Returns the index of each control point of a spline in its traced line. Control points outside the skin repeat the previous index. */
+/** Returns, for each control point of a spline, its index in `line`. Control points outside the skin get the previous point's index. */
 export function knotsOf(
   { points: uvs }: Stroke,
   line: TracedStroke,

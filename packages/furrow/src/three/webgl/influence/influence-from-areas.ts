@@ -4,9 +4,10 @@ import type { ShaderInputs } from '../../material/shader-inputs.ts'
 import { REPEAT } from './influence.ts'
 
 /**
- * GLSL that computes the influence of all layers in one loop over the areas, as in step 3 of the paper.
+ * Returns GLSL that computes the influence of all layers in one loop over all areas: per layer, the sum of the areas' weights times their
+ * activations. The mode `paper` runs this loop in every pixel, as in step 3 of the paper (see docs/paper.md).
  *
- * @param channels area channels per slice.
+ * @param channels number of areas per slice of the texture array.
  */
 export function influenceFromAreas(channels: 1 | 4): string {
   const weight = channels === 1 ? 'texel.r' : 'texel[i % 4]'
@@ -31,7 +32,7 @@ vec4 furrowInfluenceFromAreas(vec2 unwrapped) {
 `
 }
 
-/** Uniforms of `influenceFromAreas`. */
+/** Returns the uniforms of the code from `influenceFromAreas`. */
 export function areaUniforms(inputs: ShaderInputs, table: ActivationTable): Record<string, IUniform> {
   return {
     furrowAreas: inputs.areaTexture,

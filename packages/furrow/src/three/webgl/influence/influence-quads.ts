@@ -12,7 +12,7 @@ import type { QuadMaterials } from '../../atlas/quad-materials.ts'
 import { requireInternal } from '../../three-version.ts'
 import { QUAD_SETTINGS } from './quad-settings.ts'
 
-/** Writes the area's weight times its activation to the channel of its layer. */
+/** Fragment shader that outputs the weight of an area times its activation, in the channel of the area's layer. */
 const FRAGMENT = /* glsl */ `
 uniform highp sampler2DArray areas;
 in vec2 texel;
@@ -49,7 +49,7 @@ export const quadMaterials: QuadMaterials = {
     })
   },
   hasContents(renderer, target) {
-    // After a context loss three.js has no textures and no properties of them.
+    // After a context loss, three.js no longer has the properties of its textures.
     const properties = requireInternal(
       (renderer as WebGLRenderer).properties,
       WHO,
@@ -64,5 +64,4 @@ export const quadMaterials: QuadMaterials = {
   },
 }
 
-/** Module name in errors. */
 const WHO = 'Wrinkles'

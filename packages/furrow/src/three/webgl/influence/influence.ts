@@ -1,13 +1,12 @@
 /**
- * GLSL that samples the influence of all layers from the atlas, for any number of areas. The code has no branch, because a branch costs as
- * much as the texture sample that it would save. Call `furrowSampleInfluence` first in `main`: it sets globals for the other functions. The
- * globals `furrowDx` and `furrowDy` are only used if texture coordinates wrap.
+ * Returns GLSL that samples the influence map of a face. The map holds, per layer, how strongly the layer is visible. Maps of several faces
+ * are cells of one texture, the influence atlas. `main` must call `furrowSampleInfluence` first, because that function sets globals for other
+ * functions. The code has no branch, because a branch costs as much as the texture sample that it would save.
  *
- * @param cell cell to sample.
- * @param isTiled whether texture coordinates leave 0..1, and so wrap.
+ * @param isTiled whether texture coordinates may leave 0..1. They are then wrapped into 0..1.
  */
 export function influenceFromMap(layers: number, cell: SampledCell, isTiled: boolean): string {
-  // Missing channels are sampled as 0, but missing alpha as 1.
+  // Textures with fewer than four channels return 0 for missing colour channels, but 1 for alpha.
   const alpha = layers < 4 ? '0.0' : 'influence.a'
   return /* glsl */ `${cell === 'only' ? MAP : CELL}${isTiled ? REPEAT : ''}
 ${cell === 'instances' ? 'flat in highp vec2 vFurrowCorner;' : ''}
@@ -26,7 +25,7 @@ void furrowSampleInfluence(vec2 uv) {
 `
 }
 
-/** Cell of the atlas that a shader samples: the mesh's, each instance's, or the only one. */
+/** Cell that a shader samples: the cell of the mesh, the cell of the drawn instance, or the only cell, which fills the atlas. */
 export type SampledCell = 'mesh' | 'instances' | 'only'
 
 const SAMPLE_CELL: Record<SampledCell, string> = {
@@ -35,14 +34,14 @@ const SAMPLE_CELL: Record<SampledCell, string> = {
   only: 'furrowSampleMap(furrowUv)',
 }
 
-/** Wraps texture coordinates into 0..1, see `repeat` in core. Coordinates within 0..1 stay bit-exact. */
+/** Declares `furrowRepeat`, which wraps texture coordinates into 0..1, see `repeat` in core. Coordinates within 0..1 stay bit-identical. */
 export const REPEAT = /* glsl */ `
 vec2 furrowRepeat(vec2 uv) {
   return uv - max(ceil(uv) - 1.0, min(floor(uv), 0.0));
 }
 `
 
-/** Declares `vec4 furrowSampleMap(vec2 at)`: influence at a point of the atlas (0..1). */
+/** Declares `vec4 furrowSampleMap(vec2 at)`, which returns the influence at a point of the atlas (0..1). */
 const MAP = /* glsl */ `
 uniform highp sampler2D furrowInfluenceMap;
 uniform highp float furrowFade;
@@ -52,7 +51,7 @@ vec4 furrowSampleMap(vec2 at) {
 }
 `
 
-/** Adds `vec4 furrowSampleCell(vec2 uv, vec2 corner)`: influence at texture coordinates (0..1) of the cell with this corner. */
+/** Adds `vec4 furrowSampleCell(vec2 uv, vec2 corner)`, which returns the influence at texture coordinates (0..1) in the cell at `corner`. */
 const CELL = /* glsl */ `${MAP}
 uniform highp vec4 furrowCell;
 uniform highp vec4 furrowInside;
@@ -63,7 +62,10 @@ vec4 furrowSampleCell(vec2 uv, vec2 corner) {
 }
 `
 
-/** Adds `vec4 furrowLookUp(vec2 uv, vec2 corner)` for vertex shaders: skips the sample, and returns 0, outside the bounds of active areas. */
+/**
+ * Adds `vec4 furrowLookUp(vec2 uv, vec2 corner)` for vertex shaders. It returns the same as `furrowSampleCell`, but outside the bounds of
+ * active areas it returns 0 without a texture sample.
+ */
 export const INFLUENCE_LOOKUP = /* glsl */ `${CELL}${REPEAT}
 uniform highp vec4 furrowBounds;
 
@@ -77,8 +79,8 @@ vec4 furrowLookUp(vec2 uv, vec2 corner) {
 `
 
 /**
- * Declares `vec2 furrowCornerOf(float instance)` for vertex shaders; instances have consecutive cells, row by row. Guarded, because the
- * default mode and relief may both declare it.
+ * Declares `vec2 furrowCornerOf(float instance)` for vertex shaders. It returns the corner of an instance's cell in the atlas. Instances have
+ * consecutive cells, row by row. The `#ifndef` is needed because the default mode and relief may both add this code to one shader.
  */
 export const CORNER_OF_INSTANCE = /* glsl */ `
 #ifndef FURROW_CORNER
@@ -95,15 +97,16 @@ vec2 furrowCornerOf(float instance) {
 `
 
 /**
- * Sampling of layer maps. `sampler` uses implicit derivatives and is cheapest. Wrapping coordinates need explicit ones: `gradients` for
- * anisotropic samplers, otherwise `level`, which is cheaper.
+ * Method that chooses the mipmap level when layer maps are sampled. `sampler` leaves the choice to the GPU, and is cheapest. Wrapped texture
+ * coordinates jump between neighbouring pixels, so their derivatives must be taken before wrapping. `gradients` passes these derivatives to
+ * the GPU; anisotropic filtering needs them. `level` computes the mipmap level from them, which is cheaper.
  */
 export type SliceSampling = 'sampler' | 'gradients' | 'level'
 
-/** Declares `vec4 furrowSampleSlice(highp sampler2DArray maps, float slice)`, which samples layer maps. */
-export function sliceSampling(sampling: SliceSampling): string {
+/** Declares a function `vec4 (highp sampler2DArray maps, float slice)`, which samples a layer map. */
+export function sliceSampling(sampling: SliceSampling, name = 'furrowSampleSlice'): string {
   return /* glsl */ `
-vec4 furrowSampleSlice(highp sampler2DArray maps, float slice) {
+vec4 ${name}(highp sampler2DArray maps, float slice) {
   ${SAMPLE_SLICE[sampling]}
 }
 `
@@ -113,7 +116,7 @@ const BY_SAMPLER = 'return texture(maps, vec3(furrowUv, slice));'
 
 const BY_GRADIENTS = 'return textureGrad(maps, vec3(furrowUv, slice), furrowDx, furrowDy);'
 
-/** Level of detail by OpenGL ES 3.0, equations 3.18 and 3.21. */
+/** Computes the mipmap level by equations 3.18 and 3.21 of OpenGL ES 3.0. */
 const BY_LEVEL = /* glsl */ `vec2 size = vec2(textureSize(maps, 0).xy);
   vec2 dx = furrowDx * size;
   vec2 dy = furrowDy * size;

@@ -1,6 +1,9 @@
 import { DoubleSide, GLSL3, NoBlending } from 'three'
 
-/** Vertex shader of `Quads`. `targetUv` is the position in the target (0..1), `texel` the position in the area. */
+/**
+ * Vertex shader of `Quads`. `targetUv` is the position in the render target (0..1), and `texel` the position in the area's image (texels).
+ * `source` holds the slice and channel of the area. `activation` has the activation in the component of the area's layer, and 0 in the others.
+ */
 const VERTEX = /* glsl */ `
 in vec4 furrowPoint;
 in vec2 furrowSource;
@@ -19,7 +22,7 @@ void main() {
 }
 `
 
-/** Settings shared by all materials of `Quads`. */
+/** Settings of all materials of `Quads`. */
 export const QUAD_SETTINGS = {
   glslVersion: GLSL3,
   vertexShader: VERTEX,

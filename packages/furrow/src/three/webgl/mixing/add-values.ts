@@ -1,38 +1,44 @@
-import type { ValueKind } from '../../material/wrinkle-textures.ts'
+import type { MixedKind } from '../../../runtime/maps/layer-maps.ts'
 import { includeOf, replace, replaceChunk } from '../patch/shader-text.ts'
 import { BLOOD_COLOUR, MICRO_SHADOW, TOON_COLOUR, valueMixing, valueReading } from './mix-values.ts'
+import { onsetApplication } from './onset.ts'
 import type { Values } from './value-layers.ts'
 
 interface EditedShader {
   isToon: boolean
-  /** Variable of the mixed normal. */
+  /** Name of the variable with the mixed normal. */
   normal: string
 }
 
-/** GLSL that mixes the layers' value maps, and draws wrinkle lines on toon materials. */
+/**
+ * GLSL that delays the influence of layers by their onset maps. It then mixes the other value maps (base colour, roughness, occlusion, blood)
+ * into the maps of a material, and draws wrinkles as dark lines on toon materials.
+ */
 export interface AddedValues {
   declarations: string
-  /** Statements at the start of `main`, after the influence. */
+  /** Statements that `main` runs after it has sampled the influence of the layers. */
   begin: string
-  /** Statement after the mixed normal, where `furrowOwn` is declared. */
+  /** Statement that draws lines on toon materials. It compares the mixed normal with the unmixed normal in `furrowOwn`. */
   tint: string
-  /** Mixes values into the material's maps where the shader reads them. Without a map the material's value is 1. */
+  /** Edits the code that reads the maps of the material. Where the material has no map, the values of layers are mixed into 1. */
   mixOthers(fragment: string): string
 }
 
-/** Creates the GLSL of the layers' value maps, and of toon lines. */
 export function addValues(values: Values, { isToon, normal }: EditedShader): AddedValues {
   const hasValues = Object.keys(values).length > 0
+  const { onset, ...mixed } = values
   return {
     declarations: [
       isToon ? TOON_COLOUR : '',
       hasValues ? valueReading(values) : '',
-      ...Object.entries(values).map(([kind, layers]) => valueMixing(kind as ValueKind, layers)),
+      onset ? onsetApplication(onset) : '',
+      ...Object.entries(mixed).map(([kind, layers]) => valueMixing(kind as MixedKind, layers)),
       values.occlusion ? MICRO_SHADOW : '',
       values.blood ? BLOOD_COLOUR : '',
     ].join(''),
     begin: [
       hasValues ? 'furrowReadValues();' : '',
+      ...(onset ? ['furrowApplyOnset();'] : []),
       values.occlusion ? 'furrowOcclude( furrowMix_occlusion( 1.0 ) );' : '',
     ].join('\n\t'),
     tint: isToon ? `diffuseColor.rgb = furrowToonColour(diffuseColor.rgb, furrowOwn, ${normal});` : '',
@@ -42,7 +48,7 @@ export function addValues(values: Values, { isToon, normal }: EditedShader): Add
 
 function mixOthers(fragment: string, { baseColor, roughness, occlusion, blood }: Values): string {
   let shader = fragment
-  // Must precede the next edit, which replaces the include.
+  // This edit must precede the next one, which replaces the same include.
   if (blood) {
     shader = shader.replace(
       includeOf('map_fragment'),
@@ -84,7 +90,10 @@ function mixOthers(fragment: string, { baseColor, roughness, occlusion, blood }:
   return shader
 }
 
-/** Shadows the specular highlights of lights by the layers' occlusion. three.js does so for environment maps. */
+/**
+ * Edits the lighting so that the occlusion of layers darkens specular highlights of lights. three.js itself darkens only reflections of
+ * environment maps.
+ */
 function shadowHighlights(chunk: string): string {
   const highlight = 'reflectedLight.directSpecular += irradiance *'
   return `float furrowMicroShadow( highp float cosine );\n${replace(chunk, highlight, `${highlight} furrowMicroShadow( dotNL ) *`)}`

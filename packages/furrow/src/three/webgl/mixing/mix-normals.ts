@@ -1,16 +1,17 @@
 import type { LayerKind } from '../../../core/types.ts'
-import { sharesOf } from '../../../runtime/layer-shares.ts'
+import { sharesOf } from '../../../runtime/maps/layer-shares.ts'
 
-/** Parameters of `normalMixing`. */
 export interface NormalLayers {
   kinds: readonly LayerKind[]
-  /** Slice of each layer's normals. */
+  /** Slice of each layer's normal map in the texture array. */
   normals: readonly (number | null)[]
 }
 
 /**
- * Declares `vec3 furrowMixNormals(vec3 base)`: `mixNormals` of the reference, not normalised. Keeps the direction of the base if the
- * influence of all layers is 0. Samples all layers, because branches cost more on GPUs.
+ * Returns GLSL that declares `vec3 furrowMixNormals(vec3 base)`. The function mixes the normals of layers into the normal `base` of the
+ * material, like `mixNormals` of the reference implementation, but does not normalise the result. If the influence of all layers is 0, the
+ * result has the direction of `base`. The function samples all layers, because on GPUs a branch costs more than the samples that it skips. A
+ * layer of kind `replace` takes the place of the material's normal map, and a detail layer adds wrinkles on top of it.
  */
 export function normalMixing({ kinds, normals }: NormalLayers): string {
   const influence = (layer: number) => `furrowInfluence[${layer}]`
@@ -21,7 +22,7 @@ export function normalMixing({ kinds, normals }: NormalLayers): string {
   const scaled = (layer: number) => `n${layer} * vec3(vec2(furrowNormalScale[${layer}]), 1.0)`
   const replaced = replacing.map((layer, i) => ` + (${scaled(layer)} - base) * (${shares[i]})`)
   const mixed = `base${replaced.join('')}`
-  // A single detail normal needs no division by z, the most expensive operation.
+  // With a single detail layer, `slope` and `depth` are both scaled by the z of the layer's normal, to avoid an expensive division by z.
   const isOne = details.length === 1
   const factors = details.map(
     (layer) =>
@@ -40,17 +41,23 @@ ${sampled.join('')}${factors.join('')}
 `
 }
 
-/** Normal of a layer. For a detail layer: stored x and y, unpacked later with their factor, and half of z. */
+/**
+ * Returns GLSL that reads the normal of a layer. For a detail layer it returns the stored x and y, in 0..1, and half of z. Unpacking x and y
+ * later, in `furrowMixNormals`, takes fewer operations.
+ */
 function layerNormal(kind: LayerKind, slice: number): string {
   return `furrowSampleSlice(furrowNormals, ${slice}.0).xyz ${kind === 'detail' ? '- FURROW_FLAT' : '* 2.0 - 1.0'}`
 }
 
 /**
- * `FURROW_FLAT` subtracts slightly less than half from z. A z of exactly 0 would give a zero vector, or 0 / 0 at an influence of 0.
+ * Subtracting `FURROW_FLAT` from a stored normal gives half of the unpacked z, because z is stored as `z / 2 + 0.5`. The constant is slightly
+ * below 0.5, so that the difference is never 0. A difference of 0 would give wrong results while the influence is 0: a zero vector with one
+ * detail layer, and 0 / 0 with several.
  *
- * `furrowReorient` is reoriented normal mapping (`reorientNormal` in the reference). The base (x, y, z) may have any length l, and `slope`
- * is premultiplied by `depth`. The code expands `t * dot(t, r) / t.z - l * r`, where `t = (x, y, z + l)` and `r = (-slope, depth)`. A slope
- * of 0 keeps the base's direction. The epsilon in l keeps `z + l` above 0, and is cheaper than a clamp.
+ * `furrowReorient` is reoriented normal mapping (`reorientNormal` in the reference implementation). `base` is a vector (x, y, z) of any length
+ * l. `slope` is the slope of the detail normal times `depth`. The code expands `t * dot(t, r) / t.z - l * r`, where `t = (x, y, z + l)` and
+ * `r = (-slope, depth)`. If `slope` is 0, the result has the direction of `base`. The epsilon 1e-6 keeps `z + l` above 0, and is cheaper than
+ * a clamp.
  */
 const DETAILS = /* glsl */ `
 const vec3 FURROW_FLAT = vec3(0.0, 0.0, 0.4999999);

@@ -1,9 +1,12 @@
-/** GLSL of the layers' value maps, and of toon lines. */
+/**
+ * GLSL that mixes the value maps of layers (base colour, roughness, occlusion, blood) into the maps of a material, and draws wrinkles as dark
+ * lines on toon materials. "The reference" is `core/reference`.
+ */
 import { BLOOD_ABSORPTION, BLOOD_AT_REST, BLOOD_THRESHOLD } from '../../../core/blood.ts'
 import { TOON_LINE } from '../../../core/toon-line.ts'
-import { sharesOf } from '../../../runtime/layer-shares.ts'
-import { listTexels, texelOf, type ValueLayers } from '../../../runtime/value-texels.ts'
-import type { ValueKind } from '../../material/wrinkle-textures.ts'
+import type { MixedKind } from '../../../runtime/maps/layer-maps.ts'
+import { sharesOf } from '../../../runtime/maps/layer-shares.ts'
+import { listTexels, texelOf, type ValueLayers } from '../../../runtime/maps/value-texels.ts'
 import type { Values } from './value-layers.ts'
 
 /** Declares `vec3 furrowToonColour(vec3 colour, vec3 base, vec3 mixed)`, see `toonColour` in the reference. */
@@ -14,7 +17,7 @@ vec3 furrowToonColour(vec3 colour, vec3 base, vec3 mixed) {
 }
 `
 
-/** Declares `float furrowMicroShadow(float cosine)`, see `microShadow` in the reference; call `furrowOcclude` first. */
+/** Declares `float furrowMicroShadow(float cosine)`, see `microShadow` in the reference. Shaders must call `furrowOcclude` first. */
 export const MICRO_SHADOW = /* glsl */ `
 float furrowVisibility = 1.0;
 highp float furrowInverseCone = 1e20;
@@ -27,7 +30,7 @@ float furrowMicroShadow(highp float cosine) {
 }
 `
 
-/** Declares `vec3 furrowBloodColour(vec3 colour)`, see `bloodColour` in the reference; needs `furrowMix_blood`. */
+/** Declares `vec3 furrowBloodColour(vec3 colour)`, see `bloodColour` in the reference. It calls `furrowMix_blood`. */
 export const BLOOD_COLOUR = /* glsl */ `
 vec3 furrowBloodColour(vec3 colour) {
   float blood = furrowMix_blood(0.0);
@@ -43,22 +46,22 @@ float furrowBloodOf(float stored) {
 }
 `
 
-/** GLSL that reads the values of one kind of map. */
+/** GLSL that reads one kind of map. */
 interface ValueReading {
   type: string
-  /** Swizzle of a texel. */
+  /** Swizzle that selects the value from a texel. */
   swizzle: (channel: number) => string
-  /** Uniform with the scale per layer. */
+  /** Name of the uniform with the strength of the map per layer. */
   uniform?: string
-  /** Expression for the value, from the stored value and the scale. */
+  /** Returns an expression for the value, from the stored value and the strength. */
   decode?: (stored: string, scale: string) => string
-  /** Required declarations. */
+  /** Declarations of functions that `decode` calls. */
   functions?: string
 }
 
 const component = (channel: number) => `[${channel}]`
 
-const VALUES: Record<ValueKind, ValueReading> = {
+const VALUES: Record<MixedKind, ValueReading> = {
   baseColor: { type: 'vec3', swizzle: () => '.rgb' },
   roughness: { type: 'float', swizzle: component },
   occlusion: {
@@ -76,14 +79,18 @@ const VALUES: Record<ValueKind, ValueReading> = {
   },
 }
 
-/** Declares the samplers of the value maps, and `void furrowReadValues()`, which reads each texel once. */
-export function valueReading(values: Values): string {
+/**
+ * Declares the samplers of the value maps, and `void furrowReadValues()`, which samples each slice once and stores the texels in globals.
+ *
+ * @param sample name of the function that samples a slice.
+ */
+export function valueReading(values: Values, sample = 'furrowSampleSlice'): string {
   const texels = listTexels(values)
   const samplers = new Set(texels.map(({ sampler }) => sampler))
   const declared = [...samplers].map((sampler) => `uniform highp sampler2DArray furrow_${sampler};`)
   const variables = texels.map(({ name }) => `vec4 ${name} = vec4(0.0);`)
   const statements = texels.map(
-    ({ name, sampler, slice }) => `${name} = furrowSampleSlice(furrow_${sampler}, ${slice}.0);`,
+    ({ name, sampler, slice }) => `${name} = ${sample}(furrow_${sampler}, ${slice}.0);`,
   )
   return /* glsl */ `
 ${[...declared, ...variables].join('\n')}
@@ -93,8 +100,11 @@ void furrowReadValues() {
 `
 }
 
-/** Declares `TYPE furrowMix_KIND(TYPE base)`: `mixValues` of the reference; call `furrowReadValues` first. */
-export function valueMixing(kind: ValueKind, { slices, channel, sampler }: ValueLayers): string {
+/**
+ * Declares `TYPE furrowMix_KIND(TYPE base)`, which mixes the values of layers into the value `base` of the material, see `mixValues` in the
+ * reference. Shaders must call `furrowReadValues` first.
+ */
+export function valueMixing(kind: MixedKind, { slices, channel, sampler }: ValueLayers): string {
   const { type, swizzle, uniform, decode, functions = '' } = VALUES[kind]
   const layers = slices.flatMap((slice, layer) => (slice === null ? [] : [{ slice, layer }]))
   const shares = sharesOf(layers.map(({ layer }) => `furrowInfluence[${layer}]`))

@@ -1,10 +1,10 @@
-import type { ValueLayers } from '../../../runtime/value-texels.ts'
+import type { ValueLayers } from '../../../runtime/maps/value-texels.ts'
 import type { ValueKind, WrinkleTextures } from '../../material/wrinkle-textures.ts'
 
-/** Value maps (all except normals) of the layers, by kind. */
+/** Shader parameters of the value maps of layers, by kind of map. Value maps are all maps except normals. */
 export type Values = Readonly<Partial<Record<ValueKind, ValueLayers>>>
 
-/** Shader parameters of the layers' value maps. */
+/** Returns the shader parameters of the value maps. Kinds that share a texture share a sampler, named after the first of these kinds. */
 export function valueLayers(values: WrinkleTextures['values']): Values {
   const kinds = Object.keys(values) as ValueKind[]
   return Object.fromEntries(

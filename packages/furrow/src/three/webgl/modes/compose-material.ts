@@ -3,11 +3,18 @@ import type { ComposeMaterial } from '../../material/composed-map.ts'
 import { influenceFromMap, sliceSampling } from '../influence/influence.ts'
 import { QUAD_SETTINGS } from '../influence/quad-settings.ts'
 import { normalMixing } from '../mixing/mix-normals.ts'
+import { valueReading } from '../mixing/mix-values.ts'
+import { onsetApplication, onsetOf } from '../mixing/onset.ts'
+import { valueLayers } from '../mixing/value-layers.ts'
 import { layerUniforms, mapUniforms } from '../uniforms.ts'
 
-/** Draws the composed normal map with `WebGLRenderer`. */
+/**
+ * Creates the material that draws the composed normal map with `WebGLRenderer`. The map is the normal map of a material, mixed with the normals
+ * of the wrinkles.
+ */
 export const composeMaterial: ComposeMaterial = (base, inputs, level) => {
-  const { kinds, normals } = inputs.textures
+  const { kinds, normals, values } = inputs.textures
+  const ofOnset = onsetOf(valueLayers(values))
   const isTexelwise = level !== undefined
   const baseTexel = isTexelwise
     ? 'texelFetch(furrowBase, ivec2(gl_FragCoord.xy), furrowLevel)'
@@ -17,6 +24,7 @@ export const composeMaterial: ComposeMaterial = (base, inputs, level) => {
     name: 'furrow composed',
     fragmentShader: /* glsl */ `${influenceFromMap(kinds.length, 'mesh', false)}
 ${isTexelwise ? TEXELS : sliceSampling('sampler')}
+${ofOnset.onset ? `${sliceSampling('sampler', 'furrowSampleOnset')}${valueReading(ofOnset, 'furrowSampleOnset')}${onsetApplication(ofOnset.onset)}` : ''}
 ${normalMixing({ kinds, normals: normals.slices })}
 uniform sampler2D furrowBase;
 in vec2 targetUv;
@@ -24,6 +32,7 @@ out vec4 composed;
 
 void main() {
   furrowSampleInfluence(targetUv);
+  ${ofOnset.onset ? 'furrowReadValues();\n  furrowApplyOnset();' : ''}
   vec3 base = ${baseTexel}.xyz * 2.0 - 1.0;
   vec3 mixed = furrowMixNormals(base);
   ${kinds.includes('detail') ? 'mixed = any(greaterThan(furrowInfluence, vec4(0.0))) ? normalize(mixed) : base;' : ''}
@@ -39,7 +48,7 @@ void main() {
   })
 }
 
-/** Reads the texel at the target's pixel: all maps have the target's size. */
+/** Reads the texel of a map at the position of the pixel that is drawn. The maps and the render target must have the same size. */
 const TEXELS = /* glsl */ `
 uniform int furrowLevel;
 

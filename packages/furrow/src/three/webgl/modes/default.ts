@@ -8,7 +8,7 @@ import { valueLayers } from '../mixing/value-layers.ts'
 import { patchShader, type ShaderEdit } from '../patch/patch-shader.ts'
 import { layerUniforms, mapUniforms } from '../uniforms.ts'
 
-/** Default mode for `WebGLRenderer`. */
+/** Patches a material for the mode `default` of `WebGLRenderer`: mixes the maps of layers into the maps of the material before lighting. */
 export const showDefault: RendererParts['showDefault'] = ({
   material,
   inputs,

@@ -2,11 +2,12 @@ import { influenceFromAreas } from '../influence/influence-from-areas.ts'
 import { includeOf, MAIN, replace, replaceChunk } from '../patch/shader-text.ts'
 
 /**
- * Patches a built-in material with the paper's shader: lights smooth normals, lights wrinkled normals, and mixes both colours by the
- * influence. Duplicates the code from the first lighting chunk to the output, and so supports all lit materials of three.js.
+ * Patches the fragment shader of a built-in material with the method of the paper (docs/paper.md). The shader computes the lighting with the
+ * smooth normals and again with the wrinkled normals. It mixes the two colours by the influence of the wrinkles. The patch duplicates the code
+ * between the first lighting chunk and the output, whatever this code is. It therefore supports all lit materials of three.js.
  *
- * @param channels area channels per slice.
- * @param diffuseIsSrgb whether the diffuse slice is sRGB-encoded, and decoded here.
+ * @param channels number of areas per slice of the texture array.
+ * @param diffuseIsSrgb whether the diffuse colours are sRGB-encoded. The shader then decodes them.
  */
 export function paperFragment(fragment: string, channels: 1 | 4, diffuseIsSrgb: boolean): string {
   const lighting = lightingOf(fragment)
@@ -45,7 +46,7 @@ export function paperFragment(fragment: string, channels: 1 | 4, diffuseIsSrgb: 
   ].reduce((shader, [text, replacement]) => replace(shader, text, replacement), coloured)
 }
 
-/** sRGB decoding of three.js since r170, `sRGBTransferEOTF`. */
+/** Declares `furrowLinearOf`, which decodes sRGB. The code is `sRGBTransferEOTF` of three.js r170. */
 const LINEAR_OF = /* glsl */ `
 vec4 furrowLinearOf(vec4 value) {
   vec3 curve = pow(value.rgb * 0.9478672986 + vec3(0.0521327014), vec3(2.4));
@@ -55,7 +56,7 @@ vec4 furrowLinearOf(vec4 value) {
 
 const OUTPUT = '#include <opaque_fragment>'
 
-/** Returns the lighting code of a fragment shader. */
+/** Returns the code of a fragment shader between the first lighting chunk and the output. */
 function lightingOf(fragment: string): string {
   const body = fragment.indexOf(MAIN)
   const start = body + fragment.slice(body).search(includeOf('lights_\\w+_fragment'))

@@ -3,7 +3,7 @@ import { areaUniforms } from '../influence/influence-from-areas.ts'
 import { patchShader, type ShaderEdit } from '../patch/patch-shader.ts'
 import { paperFragment } from './paper-shader.ts'
 
-/** Paper mode for `WebGLRenderer`. */
+/** Patches a material for the mode `paper` of `WebGLRenderer`, see `paperFragment`. */
 export const showPaper: RendererParts['showPaper'] = ({ material, inputs, refuse }) => {
   const { areas } = inputs
   const { diffuseIsSrgb, table, texture } = inputs.paper!

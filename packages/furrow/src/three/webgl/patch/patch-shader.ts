@@ -3,19 +3,19 @@ import type { ShownMode } from '../../material/patch.ts'
 
 /** An edit of a material's GLSL. */
 export interface ShaderEdit {
-  /** Cache key; equal for edits that give the same program. */
+  /** Cache key, equal for edits that change the code in the same way. */
   key: string
   uniforms: Record<string, IUniform>
-  /** Edits the shader. Throws if it is unsupported. */
+  /** Edits the shader. Throws an error if the shader is unsupported. */
   apply(shader: WebGLProgramParametersWithUniforms): void
-  /** Called if `apply` throws; the shader is left unchanged. */
+  /** Called if `apply` throws an error. */
   refuse(): void
 }
 
 /**
- * Patches a material's GLSL, after the user's `onBeforeCompile`, if any.
+ * Patches a material so that three.js edits its GLSL before compilation. An `onBeforeCompile` callback of the page runs first.
  *
- * @param onCompile called with the patched shader, before compilation.
+ * @param onCompile called after the edit, before compilation.
  */
 export function patchShader(
   material: Material,
@@ -31,7 +31,7 @@ export function patchShader(
     } catch {
       return edit.refuse()
     }
-    // A new object: a ShaderMaterial passes its own `uniforms`, which its clones would copy.
+    // A new object, because `shader.uniforms` may be the `uniforms` of a `ShaderMaterial`, and clones of the material would copy the additions.
     shader.uniforms = { ...shader.uniforms, ...edit.uniforms }
     onCompile?.(renderer)
   }

@@ -1,16 +1,15 @@
 import type { WebGLRenderer } from 'three'
 import type { RendererParts } from '../../material/renderer-parts.ts'
 
-/** three.js's record of a program: its handle, and the driver's logs if `renderer.debug.checkShaderErrors` is set. */
+/** A shader program as three.js stores it. `diagnostics` needs `renderer.debug.checkShaderErrors`. */
 interface Program {
   program: WebGLProgram
   diagnostics?: { fragmentShader: { log: string }; vertexShader: { log: string } }
 }
 
-/** Programs that were already checked; the result does not change. */
 const checked = new WeakSet<Program>()
 
-/** Returns the driver's message if the material's last program failed to link. */
+/** Returns the message of the GPU driver if the current program of a material failed to link; null otherwise, or if it was checked before. */
 export const shaderErrorOf: RendererParts['shaderErrorOf'] = (material, renderer) => {
   const { properties } = renderer as WebGLRenderer
   const { currentProgram } = properties.get(material) as { currentProgram?: Program }

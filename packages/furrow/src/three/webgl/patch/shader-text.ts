@@ -1,13 +1,12 @@
 /**
- * Text edits of shaders, which may include three.js's chunks or contain their text. If a shader lacks an expected text, the message of the
- * thrown error is this text.
+ * Functions that edit the text of shaders. A shader may `#include` chunks of three.js, or contain the text of chunks.
  */
 import { ShaderChunk } from 'three'
 
 /**
  * Replaces the first occurrence of a text in a shader.
  *
- * @throws Error if the shader does not contain the text.
+ * @throws Error if the shader does not contain the text. The error's message is the text.
  */
 export function replace(shader: string, text: string, replacement: string): string {
   if (!shader.includes(text)) throw new Error(text)
@@ -15,7 +14,7 @@ export function replace(shader: string, text: string, replacement: string): stri
 }
 
 /**
- * Replaces an `#include` by its edited text. Ignores includes in comments, like three.js.
+ * Replaces the `#include` of a chunk by the edited text of the chunk. Ignores an `#include` in a comment, like three.js.
  *
  * @returns the shader, unchanged if it does not include the chunk.
  */
@@ -27,7 +26,7 @@ export function replaceChunk(
   return shader.replace(includeOf(name), () => edit(ShaderChunk[name]))
 }
 
-/** Matches the `#include` of a chunk, by name or pattern. */
+/** Returns a regular expression for the `#include` of a chunk. `name` may be a pattern. */
 export function includeOf(name: string): RegExp {
   return new RegExp(`^[ \\t]*#include +<${name}>`, 'm')
 }

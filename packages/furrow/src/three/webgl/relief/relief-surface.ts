@@ -1,40 +1,46 @@
-import { CANCELLED, PHONG, ROOM_TO_CURVE } from '../../../relief/displaced.ts'
+import { CANCELLED, CLEARANCE_TO_CURVE, PHONG } from '../../../relief/displaced.ts'
+import type { ValueLayers } from '../../../runtime/maps/value-texels.ts'
 import type { HeightLayer } from '../../relief/height-maps.ts'
 import { CORNER_OF_INSTANCE, INFLUENCE_LOOKUP } from '../influence/influence.ts'
+import { ONSET_INFLUENCE } from '../mixing/onset.ts'
 
-/** Maximum number of vertices at one position whose normals are averaged. Limits the shader's loop; real meshes have fewer. */
+/** Maximum number of normals that are averaged at one position. It limits a loop in the shader; real meshes have fewer normals there. */
 const MAX_TWINS = 16
 
-/** Parameters of a relief program. */
+/** Parameters of a shader that displaces a surface by height maps. */
 export interface ReliefVariant {
   heights: readonly HeightLayer[]
   /** Channel of the height texture. */
   channel: number
   isInstanced: boolean
+  /** Onset maps of the layers, if any. `levels` is `log2(a / b)`, where `a` is the width of onset maps and `b` the width of height maps. */
+  onset?: ValueLayers & { levels: number }
 }
 
 /**
- * Declares the vertex functions of dense geometries, see `displace` in src/relief. `furrowIsDense` detects such geometries. Vertices at a
- * seam read the same numbers in the same order, and so get bit-identical positions.
+ * Returns GLSL with functions for the vertex shader. They place the vertices of a dense geometry, i.e. a geometry with split triangles, on the
+ * deformed triangles of the original mesh, and displace them by height maps. The reference implementation is `displace` in src/relief.
+ * `furrowIsDense` returns false for other geometries. Vertices at one position read the same numbers in the same order, so their results are
+ * bit-identical, and the surface has no cracks.
  */
-export function reliefFunctions({ heights, channel, isInstanced }: ReliefVariant): string {
+export function reliefFunctions({ heights, channel, isInstanced, onset }: ReliefVariant): string {
   const displacement = heights.map(
     ({ layer, slice, amplitude }) =>
-      `+ influence[${layer}] * (textureLod(furrowHeights, vec3(at, ${slice}.0), furrowLevel)[${channel}] - 0.5) * ${amplitude.toExponential()}`,
+      `+ ${influenceOf(layer, onset)} * (textureLod(furrowHeights, vec3(at, ${slice}.0), furrowLevel)[${channel}] - 0.5) * ${amplitude.toExponential()}`,
   )
   return /* glsl */ `
 in vec3 furrowParents;
 in vec3 furrowCorners;
 in vec3 furrowWeights;
 in vec4 furrowUvs;
-in float furrowRoom;
+in float furrowClearance;
 in float furrowLevel;
 uniform highp sampler2D furrowCoarsePositions;
 uniform highp sampler2D furrowCoarseDirections;
 uniform highp sampler2DArray furrowHeights;
 uniform float furrowUnitsPerMetre;
 uniform float furrowAmount;
-${INFLUENCE_LOOKUP}${isInstanced ? CORNER_OF_INSTANCE : ''}
+${onset ? `uniform highp sampler2DArray furrow_${onset.sampler};${ONSET_INFLUENCE}` : ''}${INFLUENCE_LOOKUP}${isInstanced ? CORNER_OF_INSTANCE : ''}
 bool furrowIsDense() {
   return furrowWeights.x + furrowWeights.y + furrowWeights.z > 0.0;
 }
@@ -51,7 +57,7 @@ vec3 furrowUnpack(vec2 octahedral) {
   return normalize(v);
 }
 
-/** Directions of the three corners with nonzero weights; read first in main. */
+/** Normals and tangents of the three corners. Corners with weight 0 are not read. */
 vec4 furrowDirections[3];
 
 void furrowReadDirections() {
@@ -73,7 +79,7 @@ vec3 furrowShadingTangent() {
     + furrowUnpack(furrowDirections[2].zw) * furrowWeights.z;
 }
 
-/** Position and smooth normal of a parent. Off seams the smooth normal is the corner's. */
+/** Reads position and smooth normal of a vertex of the original mesh. Its smooth normal is the mean of the normals of all vertices at the position. */
 void furrowReadParent(float first, float corner, vec2 direction, out vec3 position, out vec3 normal) {
   vec4 texel = furrowCoarse(furrowCoarsePositions, first);
   position = texel.xyz;
@@ -106,12 +112,21 @@ vec3 furrowSurface() {
   if (w.z > 0.0) furrowReadParent(furrowParents.z, furrowCorners.z, furrowDirections[2].xy, c, nc);
   vec3 flatPoint = a * w.x + b * w.y + c * w.z;
   vec3 curve = dot(flatPoint - a, na) * na * w.x + dot(flatPoint - b, nb) * nb * w.y + dot(flatPoint - c, nc) * nc * w.z;
-  float curved = ${PHONG.toFixed(2)} * furrowAmount * min(furrowRoom / ${ROOM_TO_CURVE.toExponential()}, 1.0);
+  float curved = ${PHONG.toFixed(2)} * furrowAmount * min(furrowClearance / ${CLEARANCE_TO_CURVE.toExponential()}, 1.0);
   float height = furrowDisplacement(furrowUvs.xy);
   if (furrowUvs.xy != furrowUvs.zw) height = (height + furrowDisplacement(furrowUvs.zw)) * 0.5;
   vec3 direction = normalize(na * w.x + nb * w.y + nc * w.z);
-  float outwards = clamp(height, -furrowRoom, furrowRoom) * furrowAmount * furrowUnitsPerMetre;
+  float outwards = clamp(height, -furrowClearance, furrowClearance) * furrowAmount * furrowUnitsPerMetre;
   return flatPoint - curve * curved + direction * outwards;
 }
 `
+}
+
+/** Returns GLSL for the influence of a layer, after the delay by its onset map. */
+function influenceOf(layer: number, onset: ReliefVariant['onset']): string {
+  const slice = onset?.slices[layer] ?? null
+  if (!onset || slice === null) return `influence[${layer}]`
+  const level = `max(furrowLevel + ${onset.levels.toExponential()}, 0.0)`
+  const value = `textureLod(furrow_${onset.sampler}, vec3(at, ${slice}.0), ${level})[${onset.channel}]`
+  return `furrowOnsetInfluence(influence[${layer}], ${value}, furrowOnsetStrength[${layer}])`
 }

@@ -14,15 +14,16 @@ import {
 import { FurrowError } from '../../../core/error.ts'
 import { COARSE_WIDTH, type CoarseParts } from '../../relief/coarse-pass.ts'
 import { type CreateRelief, ReliefControl } from '../../relief/relief-control.ts'
-import type { ReliefInputs } from '../../relief/relief-inputs.ts'
+import { onsetLevels, type ReliefInputs } from '../../relief/relief-inputs.ts'
 import type { ReliefParts } from '../../relief/relief-parts.ts'
 import { NEWEST_THREE } from '../../three-version.ts'
 import { quadMaterials } from '../influence/influence-quads.ts'
+import { valueLayers } from '../mixing/value-layers.ts'
 import { MAIN, replace, replaceChunk } from '../patch/shader-text.ts'
-import { mapUniforms } from '../uniforms.ts'
-import { reliefFunctions } from './relief-surface.ts'
+import { mapUniforms, onsetUniforms } from '../uniforms.ts'
+import { type ReliefVariant, reliefFunctions } from './relief-surface.ts'
 
-/** Writes each vertex to its texel, deformed by three.js's chunks. */
+/** Vertex shader of `CoarsePass`. Chunks of three.js deform each vertex; the result is drawn to the texel of the vertex. */
 const COARSE_VERTEX = /* glsl */ `
 #include <common>
 #include <morphtarget_pars_vertex>
@@ -84,12 +85,18 @@ const coarseMaterial: CoarseParts['coarseMaterial'] = (ring, first, rows, hasTan
     depthWrite: false,
   })
 
-/** Patches the material's GLSL, after earlier patches. */
+/** Patches the GLSL of a material to displace dense geometries. Keeps earlier patches. */
 const patch: ReliefParts['patch'] = (material, relief, inputs, instances) => {
   const { onBeforeCompile, customProgramCacheKey } = material
   const { layers, channel } = relief.heights
-  const variant = { heights: layers, channel, isInstanced: instances !== null }
-  const uniforms = { ...mapUniforms(inputs), ...reliefUniforms(relief) }
+  const { onset } = valueLayers(inputs.textures.values)
+  const variant: ReliefVariant = {
+    heights: layers,
+    channel,
+    isInstanced: instances !== null,
+    ...(onset && { onset: { ...onset, levels: onsetLevels(inputs, relief) } }),
+  }
+  const uniforms = { ...mapUniforms(inputs), ...reliefUniforms(relief), ...onsetUniforms(inputs) }
   material.onBeforeCompile = (shader: WebGLProgramParametersWithUniforms, renderer: WebGLRenderer) => {
     onBeforeCompile.call(material, shader, renderer)
     try {
@@ -105,7 +112,6 @@ const patch: ReliefParts['patch'] = (material, relief, inputs, instances) => {
   return () => Object.assign(material, { onBeforeCompile, customProgramCacheKey })
 }
 
-/** Error for a shader that lacks a text required by the patch. */
 function unpatchable(missing: string): FurrowError {
   return new FurrowError({
     code: 'unsupported',
@@ -117,7 +123,6 @@ function unpatchable(missing: string): FurrowError {
   })
 }
 
-/** Places the vertices of dense geometries before three.js's chunks deform other geometries. */
 function reliefVertex(vertex: string, functions: string): string {
   const declared = replace(
     vertex,
@@ -155,7 +160,7 @@ function reliefUniforms({ heights, coarse, unitsPerMetre, amount }: ReliefInputs
   }
 }
 
-/** three.js draws shadows with separate materials, which need the same patch. */
+/** Adds patched shadow materials to a relief mesh, because three.js draws shadows with separate materials. */
 const addShadowMaterials: ReliefParts['addShadowMaterials'] = (dense, mesh, relief, inputs, instances) => {
   const materials: Material[] = [
     mesh.customDepthMaterial?.clone() ?? new MeshDepthMaterial({ depthPacking: RGBADepthPacking }),
@@ -168,7 +173,7 @@ const addShadowMaterials: ReliefParts['addShadowMaterials'] = (dense, mesh, reli
   }
 }
 
-/** Clones the outline material, because meshes (e.g. copies of an avatar) may share it. */
+/** Clones and patches an outline material. Other meshes, e.g. copies of an avatar, may use the original. Clone and original share uniforms. */
 const outlineMaterial: ReliefParts['outlineMaterial'] = (outline, relief, inputs, instances) => {
   const { uniforms } = outline as Partial<ShaderMaterial>
   if (!uniforms) return null
@@ -179,7 +184,10 @@ const outlineMaterial: ReliefParts['outlineMaterial'] = (outline, relief, inputs
 
 const viewport = new Vector4()
 
-/** Restores the viewport: a light's shadow may have several views in one target, and three.js sets the viewport once per view. */
+/**
+ * Calls `draw`, and then restores the viewport. three.js draws several views of a shadow to one render target, and sets the viewport only
+ * once per view.
+ */
 const duringShadow: ReliefParts['duringShadow'] = (renderer, draw) => {
   const { state } = renderer as WebGLRenderer
   const context = (renderer as WebGLRenderer).getContext()
@@ -197,5 +205,4 @@ const PARTS: ReliefParts = {
   duringShadow,
 }
 
-/** Relief for `WebGLRenderer`. */
 export const createRelief: CreateRelief = (face, mode) => new ReliefControl(face, PARTS, mode)

@@ -8,21 +8,21 @@ import { localId, workgroupBarrier, workgroupId } from '../newer-nodes.ts'
 import { Buffers, sharedArray, workgroups } from './buffers.ts'
 import { DeformedPositions } from './deformed-positions.ts'
 
-/** Number of invocations per workgroup: a multiple of every subgroup size, and within the limits of all WebGPU devices. */
+/** Number of invocations per workgroup. It is a multiple of the usual subgroup sizes, and within the limits of all WebGPU devices. */
 const LANES = 64
 
-/** Values per area in `values`. */
+/** Number of values per area in `AreaTension.values`. */
 const PER_AREA = 2
 
 /**
- * Measures compression and stretch of the skin under each area on the GPU, along principal directions or a given direction. Computes the
- * mean over all triangles, weighted by the area's weight times the surface at rest. Uses one workgroup per area, because there are few
- * areas with thousands of triangles each. Results are read back asynchronously, one or two frames later.
+ * Measures on the GPU how much the skin under each area of wrinkles is compressed and stretched. The result is a mean over the triangles
+ * under the area. Each triangle is weighted by its size at rest times the area's weight. The result is read back asynchronously, and arrives
+ * one or two frames later.
  */
 export class AreaTension {
   /**
-   * Two means per area: 1 - smaller principal stretch, and larger principal stretch - 1. With a direction: 1 - stretch, and stretch - 1
-   * along it.
+   * Two means per area: `1 - smaller` and `larger - 1`, where `smaller` and `larger` are the principal stretches of a triangle. If a
+   * direction is given, `smaller` and `larger` are both the stretch along this direction.
    */
   readonly values: Float32Array
   /** Whether `values` contains a measurement. */
@@ -35,14 +35,14 @@ export class AreaTension {
   #isReleased = false
   #hasFailed = false
 
-  /** @param surface mesh at rest. Areas that cover no triangle measure 0. */
+  /** @param surface mesh at rest, and the areas to measure. The result for an area that covers no triangle is 0. */
   constructor(mesh: Mesh, surface: TensionSurface) {
     this.#mesh = mesh
     this.#lists = listTriangles(surface)
     this.values = new Float32Array(PER_AREA * surface.measured.length)
   }
 
-  /** Starts a measurement of the current pose, unless one is pending or nothing has changed. Never waits or throws. */
+  /** Starts a measurement of the current pose, unless a measurement is pending or the pose has not changed. Never waits or throws. */
   update(renderer: WebGPURenderer): void {
     this.#isReleased = false
     if (renderer !== this.#renderer) this.#restart(renderer)
@@ -62,12 +62,12 @@ export class AreaTension {
       })
   }
 
-  /** Copies measurements by their indices in `values`. */
+  /** Copies the items of `values` at some indices. */
   copyTo(out: Float64Array, indices: readonly number[]): void {
     for (let i = 0; i < indices.length; i++) out[i] = this.values[indices[i]]
   }
 
-  /** Frees the buffers once no readback is pending. The next update recreates them. */
+  /** Frees the buffers when no readback is pending. The next update creates them again. */
   release(): void {
     this.#isReleased = true
     this.#renderer = null
@@ -86,7 +86,7 @@ export class AreaTension {
     this.isReady = true
   }
 
-  /** Stops measuring until another renderer draws the mesh. The CPU is the fallback. */
+  /** Stops measuring until another renderer draws the mesh. Callers then measure on the CPU. */
   #fail(renderer: WebGPURenderer, error: unknown): void {
     if (renderer !== this.#renderer) return
     this.isReady = false
@@ -107,10 +107,13 @@ export class AreaTension {
   }
 }
 
-/** Triangles by area: corners padded to four, and the inverse rest matrix followed by the weight in the mean. */
+/** The triangles of all areas, area by area. */
 interface TriangleLists {
+  /** Index of the first triangle of each area. The last item is the number of triangles. */
   starts: Uint32Array
+  /** Four numbers per triangle: three vertex indices, and 0. */
   corners: Uint32Array
+  /** Four numbers per triangle: three elements of the inverse rest matrix (see `restMatrix`), and the weight in the mean. */
   weighted: Float32Array
 }
 
@@ -137,7 +140,6 @@ function listTriangles({ sampled: { positions, uvs, triangles }, measured }: Ten
   return { starts, corners: Uint32Array.from(corners), weighted: Float32Array.from(weighted) }
 }
 
-/** Compute passes with their buffers. */
 interface Work {
   positions: DeformedPositions
   passes: ComputeNode[]
@@ -163,7 +165,10 @@ function createWork(mesh: Mesh, lists: TriangleLists): Work {
   }
 }
 
-/** Sums an area's triangles: each lane takes every `LANES`th triangle, then a tree reduction adds the lanes. */
+/**
+ * Creates the compute pass that computes the means, with one workgroup per area. Each invocation sums every `LANES`th triangle of the area, and
+ * a tree reduction adds the sums.
+ */
 function meanOf(
   positions: StorageBufferNode<'vec4'>,
   lists: TriangleLists,
@@ -208,7 +213,7 @@ function meanOf(
   })().compute(workgroups(areas), [LANES])
 }
 
-/** Computes `(1 - smaller, larger - 1)` of the two results of `principalStretches` in math/stretch. */
+/** Computes `(1 - smaller, larger - 1)` from the principal stretches of a triangle, see `principalStretches` in math/stretch. */
 function changeOf(u: Node<'vec3'>, v: Node<'vec3'>, inverse: Node<'vec4'>): Node<'vec2'> {
   const [xx, xy, yy] = [inverse.x, inverse.y, inverse.z]
   // Columns of the deformation gradient; their dot products form the right Cauchy-Green tensor.
@@ -218,7 +223,7 @@ function changeOf(u: Node<'vec3'>, v: Node<'vec3'>, inverse: Node<'vec4'>): Node
   const mean = c00.add(c11).mul(0.5).toVar()
   const spread = vec2(c00.sub(c11).mul(0.5), c01).length().toVar()
   const larger = mean.add(spread).sqrt().toVar()
-  // The matrix has a 0 here only if a direction is given.
+  // `inverse.x` is 0 only if a direction is given. Both results are then the stretch along the direction.
   const smaller = xx.equal(0).select(larger, max(mean.sub(spread), 0).sqrt())
   return vec2(smaller.oneMinus(), larger.sub(1))
 }

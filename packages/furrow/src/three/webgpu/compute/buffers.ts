@@ -1,4 +1,4 @@
-/** Helpers of compute passes, and casts of their nodes, which three.js's declarations leave untyped. */
+/** Functions that create compute passes and their buffers. Some functions only add types that three.js's declarations lack. */
 import type { TypedArray } from 'three'
 import { Fn, If, instanceIndex, storage } from 'three/tsl'
 import {
@@ -18,7 +18,7 @@ type BufferType = keyof typeof SIZES
 export class Buffers {
   readonly #attributes: StorageBufferAttribute[] = []
 
-  /** @param values initial contents; referenced, not copied. */
+  /** @param values initial contents. The buffer keeps a reference to the array. */
   create<T extends BufferType>(type: T, values: TypedArray): StorageBufferNode<T> {
     const attribute = new StorageBufferAttribute(values, SIZES[type])
     this.#attributes.push(attribute)
@@ -26,14 +26,14 @@ export class Buffers {
   }
 
   dispose(): void {
-    // three.js r186 frees storage buffers only with the renderer.
+    // three.js r186 ignores this, and frees storage buffers only when the renderer is disposed of.
     for (const attribute of this.#attributes) attribute.dispose()
   }
 }
 
 /**
- * Creates a pass with one invocation per element. Excess invocations of the last workgroup do nothing: some three.js releases run them, and
- * their writes would be clamped to the last element.
+ * Creates a compute pass with one invocation per element. The last workgroup may have invocations beyond the last element, and some three.js
+ * releases run them. Without the `If`, these invocations would overwrite the last element, because out-of-bounds indices are clamped.
  */
 export function computePass(count: number, body: (i: Node<'uint'>) => void): ComputeNode {
   return Fn(() => {
@@ -47,7 +47,7 @@ export function canCompute(renderer: AnyRenderer): renderer is WebGPURenderer {
   return backend?.isWebGPUBackend === true
 }
 
-/** Pads packed xyz values to `vec4`: storage buffers align a `vec3` to 16 bytes (WGSL, "Alignment and Size"). */
+/** Pads packed xyz values to four numbers each, because storage buffers align a `vec3` to 16 bytes (WGSL, "Alignment and Size"). */
 export function padToVec4(
   values: ArrayLike<number>,
   out = new Float32Array((4 * values.length) / 3),
@@ -61,7 +61,7 @@ export function sharedArray<T extends string>(type: T, count: number): StorageBu
   return typedBuffer(workgroupArray(type, count))
 }
 
-/** Dispatch size for `count` workgroups. Cast, because three.js's types allow only a number of invocations. */
+/** Returns the dispatch size for a number of workgroups. The result is cast, because three.js's types allow only a number of invocations. */
 export function workgroups(count: number): number {
   return [count, 1, 1] as unknown as number
 }

@@ -7,19 +7,19 @@ import { coordinates, trianglesOf } from '../../sources/geometry-arrays.ts'
 import { Buffers, computePass, padToVec4 } from './buffers.ts'
 import { DeformedPositions } from './deformed-positions.ts'
 
-/** Mesh at rest. */
+/** A mesh at rest. Vertices at the same position are welded to one vertex. */
 interface Rest {
   positions: Float32Array
   triangles: ArrayLike<number>
-  /** Welded vertex of each vertex; vertices at one position share it. */
+  /** For each vertex, the index of its welded vertex. */
   welded: Uint32Array
   weldedCount: number
 }
 
 /**
- * `DeformedNormals` of math/ in compute passes. The passes deform positions, sum the normals of the triangles around each welded vertex
- * (gathered, because WGSL has no atomic float add), and rotate authored normals and tangents accordingly. The last pass writes to the
- * buffers that are drawn.
+ * Recomputes the normals and tangents of a mesh in compute passes, by the algorithm of `DeformedNormals` in math/. The passes deform the
+ * positions, compute the normal of each welded vertex, and apply its rotation from the rest pose to the normals and tangents of the file. The
+ * last pass writes to the buffers that are drawn.
  */
 export class ComputedNormals {
   readonly #mesh: Mesh
@@ -61,7 +61,7 @@ export class ComputedNormals {
     this.#buffers.dispose()
   }
 
-  /** Rotates authored normals and tangents from the direction at rest to the current one. */
+  /** Creates the pass that rotates normals and tangents of the file. The rotation turns the welded normal at rest to the current one. */
   #rotateAuthored(rest: Rest, sums: StorageBufferNode<'vec4'>): ComputeNode {
     const { normal, tangent } = this.#original.attributes
     const welded = this.#buffers.create('uint', rest.welded)
@@ -87,7 +87,7 @@ export class ComputedNormals {
       const squared = sum.dot(sum).toVar()
       If(squared.greaterThan(NO_DIRECTION), () => {
         const after = sum.div(squared.sqrt()).toVar()
-        // A welded vertex without a direction at rest has (0, 0, 0): its authored values are kept.
+        // If the welded normal at rest is undefined, i.e. (0, 0, 0), the values of the file are kept.
         const isRotated = before.dot(before).greaterThan(0).and(before.dot(after).greaterThan(HALF_TURN))
         If(isRotated, () => {
           cosine.assign(before.dot(after))
@@ -102,7 +102,7 @@ export class ComputedNormals {
   }
 }
 
-/** Rotates a direction d with Rodrigues' formula, as in math/deformed-normals: `c * d + cross(a, d) + a * dot(a, d) / (1 + c)`. */
+/** Rotates a direction `d` about an axis `a` of length sin(angle) by Rodrigues' formula: `c * d + cross(a, d) + a * dot(a, d) / (1 + c)`. */
 function rotate(direction: Node<'vec3'>, axis: Node<'vec3'>, cosine: Node<'float'>): Node<'vec3'> {
   const along = axis.dot(direction).div(cosine.add(1))
   return direction.mul(cosine).add(cross(axis, direction), axis.mul(along))
@@ -114,7 +114,7 @@ function weld(geometry: BufferGeometry): Rest {
   return { positions, triangles: trianglesOf(geometry), welded, weldedCount }
 }
 
-/** Unit normal at rest per welded vertex, padded to `vec4`; (0, 0, 0) if undefined. */
+/** Returns the unit normal at rest of each welded vertex, padded to four numbers; (0, 0, 0) if undefined. */
 function directionsAtRest({ positions, triangles, welded, weldedCount }: Rest): Float32Array {
   const sums = new Float64Array(3 * weldedCount)
   sumNormals(sums, positions, triangles, welded)
@@ -126,7 +126,10 @@ function directionsAtRest({ positions, triangles, welded, weldedCount }: Rest): 
   return padToVec4(sums)
 }
 
-/** Sums the area-weighted normals of the triangles around each welded vertex. */
+/**
+ * Creates the pass that sums the area-weighted normals of the triangles around each welded vertex. Each invocation loops over the triangles of
+ * one vertex, because WGSL has no atomic addition of floats.
+ */
 function gatherNormals(
   positions: StorageBufferNode<'vec4'>,
   { triangles, welded, weldedCount }: Rest,
@@ -156,7 +159,7 @@ function gatherNormals(
   })
 }
 
-/** Lists the triangles around each welded vertex, concatenated, with the start of each list. */
+/** Returns the triangles around each welded vertex as one array, vertex by vertex, with the start of each vertex's triangles. */
 function trianglesAround(welded: Uint32Array, weldedCount: number, triangles: ArrayLike<number>) {
   const lists = Array.from({ length: weldedCount }, (): number[] => [])
   const complete = triangles.length - (triangles.length % 3)
@@ -166,13 +169,13 @@ function trianglesAround(welded: Uint32Array, weldedCount: number, triangles: Ar
   return { starts, list: Uint32Array.from(lists.flat()) }
 }
 
-/** Replaces the geometry and invalidates the materials: three.js r186 keeps pipelines with the old attribute strides. */
+/** Replaces the geometry of a mesh. Also rebuilds its materials, because three.js r186 keeps pipelines with the old attribute strides. */
 function setGeometry(mesh: Mesh, geometry: BufferGeometry): void {
   mesh.geometry = geometry
   for (const material of [mesh.material].flat()) material.needsUpdate = true
 }
 
-/** Creates a geometry that shares another's buffers, except morph normals. */
+/** Creates a geometry that shares the buffers of another geometry, except its morph normals. */
 function shareBuffers(geometry: BufferGeometry): BufferGeometry {
   const { attributes, morphAttributes, morphTargetsRelative, index, groups, drawRange } = geometry
   const { name, userData, boundingBox, boundingSphere } = geometry
@@ -185,7 +188,7 @@ function shareBuffers(geometry: BufferGeometry): BufferGeometry {
   })
 }
 
-/** Replaces shared buffers by empty ones, because disposing of a geometry frees all its buffers. */
+/** Replaces the shared buffers of a geometry by empty buffers, so that disposing of the geometry does not free the shared buffers. */
 function detachBuffers(geometry: BufferGeometry, { attributes }: BufferGeometry): void {
   geometry.setIndex(null)
   for (const [name, attribute] of Object.entries(geometry.attributes)) {

@@ -3,8 +3,8 @@ import { AreaTension } from './area-tension.ts'
 import { canCompute } from './buffers.ts'
 
 /**
- * Measures all triangles under an area in compute passes. Until the first result, and without compute support, the CPU measures a sample
- * of the triangles.
+ * Creates a reader of tension inputs, which measures how much the skin under areas is compressed or stretched. Compute passes measure all
+ * triangles under an area. Until the first result, and without compute support, the CPU measures a sample of the triangles.
  */
 export const bindComputedTension: BindTension = (face, inputs) => {
   const surface = tensionSurface(face, inputs)

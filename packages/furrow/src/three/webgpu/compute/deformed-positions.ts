@@ -12,18 +12,17 @@ import { coordinates, copyNumbers, targetOffsets } from '../../sources/geometry-
 import { Buffers, computePass, padToVec4, typedBuffer } from './buffers.ts'
 
 /**
- * Vertex positions of a mesh after blendshapes and optional skinning, computed on the GPU. Each vertex iterates only over the targets that
- * move it, so memory and time depend on the moved vertices.
+ * Vertex positions of a mesh after blendshapes and optional skinning, computed on the GPU. For each vertex, the shader loops only over the
+ * blendshapes that move it, so memory and time depend on the number of moved vertices.
  */
 export class DeformedPositions {
-  /** Positions of all vertices in the mesh's local space, in xyz. */
+  /** Positions of all vertices in the mesh's local space (xyz). */
   readonly node: StorageBufferNode<'vec4'>
   /** Passes that update `node`, in order. */
   readonly passes: readonly ComputeNode[]
   readonly #buffers = new Buffers()
   readonly #inputs: readonly { update(): boolean }[]
 
-  /** @param isSkinned whether to apply skinning. */
   constructor(mesh: Mesh, isSkinned: boolean) {
     const { position } = mesh.geometry.attributes
     const rest = isComputed(position)
@@ -39,9 +38,9 @@ export class DeformedPositions {
   }
 
   /**
-   * Reads the current positions, weights and joints.
+   * Reads the current positions, blendshape weights and joints.
    *
-   * @returns whether any may have changed.
+   * @returns whether the deformed positions may have changed.
    */
   update(): boolean {
     let changed = false
@@ -54,7 +53,7 @@ export class DeformedPositions {
     this.#buffers.dispose()
   }
 
-  /** Copy of the geometry's positions; uploaded again after changes. */
+  /** Creates a buffer with a copy of the geometry's positions. Its `update` uploads them again after a change. */
   #uploadFrom(geometry: BufferGeometry) {
     const node = this.#buffers.create('vec4', padToVec4(coordinates(geometry.attributes.position)))
     let version = -1
@@ -72,7 +71,7 @@ export class DeformedPositions {
   }
 }
 
-/** A pass from positions to positions. */
+/** A compute pass that reads the positions of a previous step, and writes deformed positions to `node`. */
 interface Step {
   node: StorageBufferNode<'vec4'>
   pass: ComputeNode
@@ -80,7 +79,7 @@ interface Step {
   update(): boolean
 }
 
-/** Adds the weighted morph targets; null if no target moves a vertex. */
+/** Creates the step that adds the weighted morph targets; null if no target moves a vertex. */
 function morphing(
   mesh: Mesh,
   from: StorageBufferNode<'vec4'>,
@@ -120,7 +119,10 @@ function morphing(
   return { node, pass, update }
 }
 
-/** Lists the nonzero offsets (xyz, target index) per vertex, concatenated, with the start of each list. */
+/**
+ * Returns the nonzero displacements of all vertices as one array, vertex by vertex: xyz and target index. `starts` has the index of the first
+ * displacement of each vertex.
+ */
 function offsetsByVertex(targets: readonly Float32Array[], count: number) {
   const starts = new Uint32Array(count + 1)
   const entries: number[] = []
@@ -134,7 +136,7 @@ function offsetsByVertex(targets: readonly Float32Array[], count: number) {
   return { starts, entries: Float32Array.from(entries) }
 }
 
-/** Linear blend skinning in the mesh's local space, as in three.js; null without a skeleton. */
+/** Creates the step for linear blend skinning in the mesh's local space, as in three.js; null without a skeleton. */
 function skinning(
   mesh: Mesh,
   from: StorageBufferNode<'vec4'>,
@@ -171,7 +173,7 @@ function skinning(
 
 const matrix = new Matrix4()
 
-/** Writes the matrix of each joint from the bind pose to the current pose, in the mesh's local space. */
+/** Computes the matrices that move vertices from the bind pose to the current pose, in the mesh's local space, one per joint. */
 function writeJointMatrices(
   { skeleton, bindMatrix, bindMatrixInverse }: SkinnedMesh,
   out: Float32Array,
@@ -190,7 +192,7 @@ function isComputed(attribute: BufferAttribute | InterleavedBufferAttribute): at
   return (attribute as { isStorageBufferAttribute?: boolean }).isStorageBufferAttribute === true
 }
 
-/** Storage node of computed positions. A `vec3` has the same 16-byte alignment as a `vec4`, so xyz reads are identical. */
+/** Returns the positions of a storage attribute as a node. A `vec3` has the 16-byte alignment of a `vec4`, so it can be read as a `vec4`. */
 function computedPositions(attribute: BufferAttribute): StorageBufferNode<'vec4'> {
   return typedBuffer(storage(attribute, 'vec3', attribute.count))
 }

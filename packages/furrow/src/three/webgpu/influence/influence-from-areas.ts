@@ -7,10 +7,11 @@ import { repeat } from '../texture-sampling.ts'
 import { channelMask } from './influence.ts'
 
 /**
- * Computes the influence of all layers in one loop over the areas, as in step 3 of the paper.
+ * Computes the influence of all layers in one loop over all areas: per layer, the sum of the areas' weights times their activations. The mode
+ * `paper` runs this loop in every pixel, as in step 3 of the paper (see docs/paper.md).
  *
- * @param table activations by slice and channel.
- * @param uv texture coordinates; wrap outside 0..1.
+ * @param table activations of the areas.
+ * @param uv texture coordinates, which are wrapped into 0..1.
  * @returns influence of layers 0..3 in x, y, z, w, each 0..1.
  */
 export function influenceFromAreas(

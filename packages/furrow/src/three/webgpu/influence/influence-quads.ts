@@ -14,15 +14,15 @@ export const quadMaterials: QuadMaterials = {
       blendSrc: OneFactor,
       blendDst: OneFactor,
       transparent: true,
-      // Otherwise three.js draws transparent back and front faces separately, with one pipeline each.
+      // Otherwise three.js would draw back and front sides of transparent objects separately, with one pipeline each.
       forceSinglePass: true,
     })
   },
-  // A lost device is never restored; pages create a new renderer.
+  // Unlike a WebGL context, a lost WebGPU device is never restored. The page must then create a new renderer.
   hasContents: () => true,
 }
 
-/** Creates a material of `Quads` that overwrites the target. */
+/** Creates a material for `Quads` that overwrites the texels of the render target. */
 export function quadMaterial(name: string, fragment: Node<'vec4'>): NodeMaterial {
   return Object.assign(new NodeMaterial(), {
     name: `furrow ${name}`,
@@ -38,17 +38,20 @@ export function quadMaterial(name: string, fragment: Node<'vec4'>): NodeMaterial
   })
 }
 
-/** Position of a `Quads` vertex in the target, 0..1. */
+/** Returns the position of a vertex of `Quads` in the render target, 0..1. */
 export function targetUv(): Node<'vec2'> {
   return attribute('furrowPoint', 'vec4').xy
 }
 
-/** Clip position of a `Quads` vertex. Row 0 of the target is at the top: three.js flips render targets on both backends. */
+/**
+ * Returns the clip position of a vertex of `Quads`. Row 0 of a render target is at y = 1, because three.js flips render targets on both
+ * backends.
+ */
 function clipPosition(): Node<'vec4'> {
   return vec4(targetUv().mul(vec2(2, -2)).add(vec2(-1, 1)), 0, 1)
 }
 
-/** Weight of the area times its activation, in the channel of its layer. */
+/** Returns the weight of an area times its activation, in the channel of the area's layer. */
 function weightedActivation({ texture, channels }: AreaArray): Node<'vec4'> {
   return Fn(() => {
     const texel = varying(attribute('furrowPoint', 'vec4').zw)

@@ -1,4 +1,4 @@
-/** Influence of each layer at a point, in TSL; same formulas as the GLSL in `webgl/`. */
+/** TSL that samples the influence map of a face. The formulas are those of the GLSL in `webgl/`. */
 import { REVISION, type Texture } from 'three'
 import {
   drawIndex,
@@ -22,13 +22,14 @@ import { requireInternal } from '../../three-version.ts'
 import { CHANNELS, inputUniform } from '../node.ts'
 
 /**
- * Samples the influence of all layers from the atlas, for any number of areas. Branch-free for fragments: on software rasterisers a branch
- * costs more than the samples that it would save.
+ * Samples the influence map of a face. The map holds, per layer, how strongly the layer is visible. Maps of several faces are cells of one
+ * texture, the influence atlas. Fragment shaders have no branch here, because on software rasterisers a branch costs more than the sample that
+ * it would save.
  *
  * @param uv texture coordinates within 0..1, see `repeat`.
- * @param instances kind of instancing; each instance has its own cell.
- * @param isVertex whether a vertex shader reads it, which skips the sample outside the bounds of active areas.
- * @param isOnly whether the atlas holds only this face's map.
+ * @param instances kind of instancing. Each instance has a separate cell.
+ * @param isVertex whether the result is for a vertex shader. The shader then takes no sample outside the bounds of active areas.
+ * @param isOnly whether the cell of this face fills the atlas.
  * @returns influence of layers 0..3 in x, y, z, w, each 0..1.
  */
 export function influenceFromMap(
@@ -49,7 +50,7 @@ export function influenceFromMap(
   const sample = () => {
     const atlas = texture(inputs.influence.value, isOnly ? uv : place())
     const sampled = isVertex ? atlas.level(int(0)) : atlas
-    // Channels without a layer are undefined.
+    // The values of channels without a layer are undefined.
     const [x, y, z, w] = CHANNELS.map((channel, i) => (i < layers ? sampled[channel] : float(0)))
     return min(vec4(x, y, z, w), vec4(1)).mul(fade)
   }
@@ -68,7 +69,7 @@ function isWithin(uv: Node<'vec2'>, bounds: Node<'vec4'>): Node<'bool'> {
   return uv.greaterThanEqual(bounds.xy).all().and(uv.lessThanEqual(bounds.zw).all())
 }
 
-/** Corner of an instance's cell in the atlas, 0..1. Instances have consecutive cells, row by row. */
+/** Returns the corner of an instance's cell in the atlas, 0..1. Instances have consecutive cells, row by row. */
 function cornerOf({ grid, inset }: ShaderInputs, instance: Node<'float'>): Node<'vec2'> {
   const { x: columns, xy: size, z: first } = inputUniform<'vec3'>(grid)
   const cell = first.add(instance)
@@ -78,7 +79,7 @@ function cornerOf({ grid, inset }: ShaderInputs, instance: Node<'float'>): Node<
     .div(size)
 }
 
-/** Index of the drawn instance. A `BatchedMesh` reorders its visible instances; the order is in a texture. */
+/** Returns the index of the drawn instance. A `BatchedMesh` reorders its visible instances, and stores their order in a texture. */
 function instanceOf(instances: 'instanced' | 'batched'): Node<'float'> {
   if (instances === 'instanced') return float(instanceIndex)
   return Fn((_: [], builder: NodeBuilder) => {
@@ -91,13 +92,13 @@ function instanceOf(instances: 'instanced' | 'batched'): Node<'float'> {
   })()
 }
 
-/** Builder of a `BatchedMesh` shader, with three.js internals guarded by `checkBatch`. */
+/** Builder of the shader of a `BatchedMesh`, with undocumented internals of three.js that `checkBatch` checks. */
 type BatchBuilder = NodeBuilder & {
   object: { _indirectTexture: Texture }
   getDrawIndex(): string | null
 }
 
-/** @throws FurrowError if three.js lacks an internal that `influenceFromMap` needs for a `BatchedMesh`. */
+/** @throws FurrowError if three.js lacks an internal property that `influenceFromMap` needs for a `BatchedMesh`. */
 export function checkBatch(mesh: object): void {
   requireInternal(
     (mesh as BatchBuilder['object'])._indirectTexture,
@@ -113,7 +114,7 @@ export function checkBatch(mesh: object): void {
   )
 }
 
-/** Mask with 1 in the given channel, and 0 in the others. */
+/** Returns a vector with 1 in the given channel (0..3), and 0 in the other channels. */
 export function channelMask(channel: Node<'float'>): Node<'vec4'> {
   return vec4(0, 1, 2, 3).sub(channel).abs().oneMinus().clamp(0, 1)
 }

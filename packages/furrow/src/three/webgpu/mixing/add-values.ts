@@ -9,14 +9,18 @@ import { shadowHighlights } from './micro-shadow.ts'
 import type { LayerInfluence } from './mix-normals.ts'
 import { bloodColour, toonColour, valueMixer } from './mix-values.ts'
 
-/** Unpacked normals before and after mixing, and the layers that were mixed in. */
 interface Mixing {
   layers: LayerInfluence
+  /** Tangent-space normal of the material. */
   ownNormal: Node<'vec3'>
+  /** Tangent-space normal after the normals of layers are mixed in. */
   mixed: Node<'vec3'>
 }
 
-/** Adds nodes that mix the layers' value maps, and draw wrinkle lines on toon materials. */
+/**
+ * Adds nodes that mix the value maps of layers (base colour, roughness, occlusion, blood) into the maps of a material, and draw wrinkles as
+ * dark lines on toon materials.
+ */
 export function addValues(
   added: Added,
   material: Patched,
@@ -46,15 +50,15 @@ export function addValues(
   }
 }
 
-/** Colour of the material's own map. */
+/** Returns the colour of the material's base colour map; 1 without a map. */
 function ownColourOf(material: Patched): Node<'vec4'> {
   const { map } = material as Partial<MeshStandardMaterial>
   return map ? materialProperty('map', 'texture', material) : vec4(1)
 }
 
 /**
- * @param value the material's occlusion map mixed with the layers'.
- * @param visibility the layers' occlusion alone.
+ * @param value occlusion map of the material, mixed with the occlusion maps of layers.
+ * @param visibility occlusion maps of layers, mixed into 1.
  */
 function addOcclusion(
   added: Added,

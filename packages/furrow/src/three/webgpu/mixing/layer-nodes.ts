@@ -1,4 +1,4 @@
-/** Nodes of the default mode: mixes the layers' maps into the material's, and lights once. */
+/** Nodes of the mode `default`, which mixes the maps of layers into the maps of the material before lighting. */
 import type { Mesh } from 'three'
 import { bitangentView, Fn, mat3, TBNViewMatrix, tangentView, varying, vec3 } from 'three/tsl'
 import type { Node, NodeBuilder } from 'three/webgpu'
@@ -12,16 +12,17 @@ import type { Added, Patched } from '../patch/patch-nodes.ts'
 import { byGradients, bySampler, mapUv, repeat } from '../texture-sampling.ts'
 import { addValues } from './add-values.ts'
 import { type LayerInfluence, mixNormals, unpack } from './mix-normals.ts'
+import { delayInfluence, texelReader } from './onset.ts'
 
 /**
- * Creates nodes that mix the layers' maps into a material's own.
+ * Creates nodes that mix the maps of layers into the maps of a material.
  *
  * @param mesh a mesh of the face.
- * @param isTiled whether texture coordinates leave 0..1, and so wrap.
+ * @param isTiled whether texture coordinates may leave 0..1. They are then wrapped into 0..1.
  */
 export function layerNodes(material: Patched, inputs: ShaderInputs, mesh: Mesh, isTiled: boolean): Added {
   const { normalNode: node } = material
-  // Materials with a `normalNode` have a flat normal map.
+  // A `normalNode` replaces the normal map of the material, so the layers are mixed into a flat normal, and the result is applied to the node.
   const base = node ? vec3(0, 0, 1) : unpack(materialProperty('normalMap', 'texture', material).xyz)
   const layers = layersOf(material, inputs, mesh, isTiled)
   const mixed = mixNormals(base, inputs, layers)
@@ -32,7 +33,7 @@ export function layerNodes(material: Patched, inputs: ShaderInputs, mesh: Mesh, 
   return added
 }
 
-/** Influence of a face's layers, and the sampling of their maps. */
+/** Returns the influence of a face's layers, after the delay by their onset maps, and the function that samples their maps. */
 function layersOf(
   material: WrinkleMaterial,
   inputs: ShaderInputs,
@@ -41,14 +42,13 @@ function layersOf(
 ): LayerInfluence {
   const uv = varying(mapUv(material))
   const within = isTiled ? repeat(uv).toVar() : uv
-  return {
-    influence: influenceFromMap(inputs, within, instancesOf(mesh), false, inputs.isAlone()),
-    uv,
-    sampler: isTiled ? byGradients : bySampler,
-  }
+  const influence = influenceFromMap(inputs, within, instancesOf(mesh), false, inputs.isAlone())
+  const maps = { uv, sampler: isTiled ? byGradients : bySampler, texels: new Map() }
+  if (!inputs.textures.values.onset) return { influence, ...maps }
+  return { influence: delayInfluence(inputs, influence, texelReader(maps)), ...maps }
 }
 
-/** Transforms a tangent-space normal to view space, like three.js's `normalMap`, which accepts packed normals only. */
+/** Transforms a tangent-space normal to view space. three.js's `normalMap` does this only for normals that are encoded in 0..1. */
 function inView(normal: Node<'vec3'>, material: Patched): Node<'vec3'> {
   return Fn((_: [], builder: NodeBuilder) => {
     const scale = normalScale(material)
@@ -59,10 +59,10 @@ function inView(normal: Node<'vec3'>, material: Patched): Node<'vec3'> {
   })()
 }
 
-/** Builder with a method that three.js's declarations lack. */
+/** Builder with a method that is missing in three.js's declarations. */
 type FlatBuilder = NodeBuilder & { isFlatShading(): boolean }
 
-/** Applies tangent-space normals to the view-space normal of a material's `normalNode`. */
+/** Applies a tangent-space normal to the view-space normal of a material's `normalNode`. */
 function ontoNormal(viewNormal: Node<'vec3'>, normal: Node<'vec3'>, material: Patched): Node<'vec3'> {
   return mat3(typed<'vec3'>(tangentView), typed<'vec3'>(bitangentView), viewNormal)
     .mul(scaled(normal, normalScale(material)))

@@ -4,9 +4,10 @@ import { typed } from '../node.ts'
 import { microShadow } from './mix-values.ts'
 
 /**
- * Shadows the specular highlights of lights by the layers' occlusion. three.js does so for environment maps.
+ * Edits a lighting model so that the occlusion of layers darkens specular highlights of lights. three.js itself darkens only reflections of
+ * environment maps.
  *
- * @param visibility the layers' occlusion alone.
+ * @param visibility occlusion of layers, 0 (occluded) to 1.
  */
 export function shadowHighlights<M extends LightingModel>(model: M, visibility: Node<'float'>): M {
   const { direct } = model

@@ -1,4 +1,8 @@
-/** Mixing of the layers' normals into the material's own, in TSL; same formulas as the GLSL in `webgl/` and the reference. */
+/**
+ * TSL that mixes the normals of layers into the normal of a material. A layer of kind `replace` takes the place of the material's normal map,
+ * and a detail layer adds wrinkles on top of it. The formulas are those of the GLSL in `webgl/`, and of the reference implementation in
+ * `core/reference`.
+ */
 import { float, max, vec3 } from 'three/tsl'
 import type { Node } from 'three/webgpu'
 import type { LayerKind } from '../../../core/types.ts'
@@ -6,24 +10,29 @@ import type { ShaderInputs } from '../../material/shader-inputs.ts'
 import { CHANNELS, inputUniform } from '../node.ts'
 import type { SliceSampler } from '../texture-sampling.ts'
 
-/** Influence of each layer (0..1 in x, y, z, w), and the texture coordinates of the layers' maps, see `SliceSampler`. */
+/** Influence of the layers, and how to sample their maps. */
 export interface LayerInfluence {
+  /** Influence of layers 0..3 in x, y, z, w, each 0..1. */
   influence: Node<'vec4'>
+  /** Texture coordinates of the maps. */
   uv: Node<'vec2'>
   sampler: SliceSampler
+  /** Cache of the texels of value maps, so that each slice is sampled once. */
+  texels: Map<string, Node<'vec4'>>
 }
 
-/** Reoriented normal mapping of unit vectors, see `reorientNormal` in the reference. */
+/** Applies a detail normal to a base normal by reoriented normal mapping, see `reorientNormal` in the reference. Both are unit vectors. */
 export function reorient(base: Node<'vec3'>, detail: Node<'vec3'>): Node<'vec3'> {
   return reorientBy(base, lengthOf(base), detail.xy, detail.z)
 }
 
 /**
- * Reoriented normal mapping of vectors of any length. Expands t dot(t, r) / t.z - size r with t = (x, y, z + size) and r = (-slope, depth).
- * A slope of 0 keeps the base's direction without a branch.
+ * Applies a detail normal to a base normal (x, y, z) of length `size` by reoriented normal mapping. The code expands
+ * `t * dot(t, r) / t.z - size * r`, where `t = (x, y, z + size)` and `r = (-slope, depth)`. If `slope` is 0, the result has the direction of
+ * the base.
  *
- * @param size length of the base.
- * @param slope slope of the detail, times `depth`.
+ * @param slope slope of the detail normal, times `depth`.
+ * @param depth z of the detail normal; 1 if `slope` is already divided by z.
  */
 function reorientBy(
   base: Node<'vec3'>,
@@ -36,27 +45,28 @@ function reorientBy(
   return vec3(base.xy.mul(shrunk).add(slope.mul(size)), base.z.mul(depth).sub(along))
 }
 
-/** Length with an epsilon that keeps z + length above 0, cheaper than a clamp. */
+/** Returns the length of a normal. The epsilon keeps `z + length` above 0, and is cheaper than a clamp. */
 function lengthOf(normal: Node<'vec3'>): Node<'float'> {
   return normal.dot(normal).add(1e-6).sqrt()
 }
 
 /**
- * Mixes the normals of all layers into the base, see `mixNormals` in the reference.
+ * Mixes the normals of all layers into the normal of the material, see `mixNormals` in the reference.
  *
- * @param base unpacked normal of the material's own map.
- * @returns a normal of any length; in the direction of the base if the influence of all layers is 0.
+ * @param base tangent-space normal of the material, components -1..1.
+ * @returns a normal of any length. It has the direction of `base` if the influence of all layers is 0.
  */
 export function mixNormals(
   base: Node<'vec3'>,
   inputs: ShaderInputs,
-  { influence, uv, sampler }: LayerInfluence,
+  { influence, uv, sampler }: Omit<LayerInfluence, 'texels'>,
 ): Node<'vec3'> {
   const { kinds, normals } = inputs.textures
   const scales = inputUniform<'vec4'>(inputs.normalScale)
   const baseNormal = base.toVar()
   const sample = sampler(uv)
-  // Slightly below 0.5: a z of exactly 0 gives no normal, or 0 / 0 at an influence of 0.
+  // The constant is slightly below 0.5, so that the z of a sampled normal is never 0. While the influence is 0, the result would otherwise be
+  // a zero vector or 0 / 0.
   const flat = vec3(0, 0, 0.4999999)
   const layers = kinds.map((kind, layer) => {
     const stored = sample(normals.texture, normals.slices[layer]!).xyz
@@ -71,7 +81,7 @@ export function mixNormals(
   const details = filterByKind('detail', layers)
   if (details.length === 0) return replaced
   const size = lengthOf(replaced).toVar()
-  // A single detail normal needs no division by z, the most expensive operation.
+  // With a single detail layer, `slope` and `depth` are both scaled by the z of the layer's normal, to avoid an expensive division by z.
   const isOne = details.length === 1
   const depth = isOne ? details[0].normal.z.abs() : float(1)
   return reorientBy(replaced, size, slopeOf(details, isOne), depth)
@@ -80,9 +90,8 @@ export function mixNormals(
 interface SampledLayer {
   kind: LayerKind
   influence: Node<'float'>
-  /** Scale of the normal's x and y. */
   scale: Node<'float'>
-  /** Unpacked normal. For a detail layer: stored x and y, unpacked later with their factor, and half of z. */
+  /** Normal with components -1..1. For a detail layer, the stored x and y, in 0..1, and half of z; `slopeOf` unpacks x and y. */
   normal: Node<'vec3'>
 }
 
@@ -90,12 +99,11 @@ function filterByKind(kind: LayerKind, layers: readonly SampledLayer[]): Sampled
   return layers.filter((layer) => layer.kind === kind)
 }
 
-/** Unpacks a stored normal from 0..1 to -1..1. */
 export function unpack(stored: Node<'vec3'>): Node<'vec3'> {
   return stored.mul(2).sub(1)
 }
 
-/** Mixes replacing layers into the base by their influences, normalised if their sum exceeds 1. */
+/** Mixes the normals of layers of kind `replace` into the base normal. The mixing weights are the shares of the layers, see `sharesOf`. */
 function replaceNormal(base: Node<'vec3'>, layers: readonly SampledLayer[]): Node<'vec3'> {
   if (layers.length === 0) return base
   const shares = sharesOf(layers.map(({ influence }) => influence))
@@ -113,7 +121,7 @@ function replaceNormal(base: Node<'vec3'>, layers: readonly SampledLayer[]): Nod
     .toVar()
 }
 
-/** Mixing weights of layers: their influences, divided by the sum if it exceeds 1. The influence of a single layer never does. */
+/** Returns the mixing weights of layers: their influences, divided by the sum of all influences if the sum exceeds 1. */
 export function sharesOf(influences: readonly Node<'float'>[]): readonly Node<'float'>[] {
   if (influences.length < 2) return influences
   const sum = influences.reduce((total, influence) => total.add(influence))
@@ -122,9 +130,9 @@ export function sharesOf(influences: readonly Node<'float'>[]): readonly Node<'f
 }
 
 /**
- * Sums the slopes of detail layers.
+ * Sums the slopes of the normals of detail layers, scaled by the influences of the layers.
  *
- * @param isFlat whether to skip the division by the normal's z.
+ * @param isFlat whether to skip the division by z of the normal. The result is then the slope of the single layer, times half of z.
  */
 function slopeOf(layers: readonly SampledLayer[], isFlat: boolean): Node<'vec2'> {
   const slopes = layers.map(({ influence, scale, normal }) => {

@@ -1,46 +1,40 @@
 /**
- * Mixing of the layers' value maps into the material's own, in TSL; same formulas as the GLSL in `webgl/` and the reference. Avoids `select`,
- * which TSL compiles to a branch: the first one costs software rasterisers a tenth of the plain face.
+ * TSL that mixes the value maps of layers (base colour, roughness, occlusion, blood) into the maps of a material. The formulas are those of
+ * the GLSL in `webgl/`, and of the reference implementation in `core/reference`. The code avoids `select`, which TSL compiles to a branch. On
+ * a software rasteriser, one branch adds a tenth to the time that a face without wrinkles needs.
  */
 import { max, mix, step, vec3 } from 'three/tsl'
 import type { Node } from 'three/webgpu'
 import { BLOOD_ABSORPTION, BLOOD_AT_REST, BLOOD_THRESHOLD } from '../../../core/blood.ts'
 import { TOON_LINE } from '../../../core/toon-line.ts'
-import type { ArrayTexture } from '../../material/array-texture.ts'
+import type { MixedKind } from '../../../runtime/maps/layer-maps.ts'
 import type { ShaderInputs } from '../../material/shader-inputs.ts'
-import type { ValueKind } from '../../material/wrinkle-textures.ts'
 import { CHANNELS, inputUniform } from '../node.ts'
 import { type LayerInfluence, sharesOf } from './mix-normals.ts'
+import { texelReader } from './onset.ts'
 
-/** Kinds of single-channel maps. */
-type SingleKind = Exclude<ValueKind, 'baseColor'>
+type SingleKind = Exclude<MixedKind, 'baseColor'>
 
-/** Mixes the layers' value maps into a material's own values, see `mixValues` in the reference. */
+/** Mixes the value maps of layers into the values of a material, see `mixValues` in the reference. */
 export interface ValueMixer {
-  /** @param base base colour of the material's map, 1 without a map. */
+  /** @param base base colour in the map of the material; 1 without a map. */
   mixColour(base: Node<'vec3'>): Node<'vec3'>
-  /** @param base value of the material's map, 1 without a map; 0 for blood. */
+  /** @param base value in the map of the material; 1 without a map, 0 for blood. */
   mixValue(kind: SingleKind, base: Node<'float'>): Node<'float'>
 }
 
-/** Creates a mixer that samples each slice once, even if its channels hold several kinds. */
+/** Creates a mixer that samples each slice once, even if the slice holds several kinds of maps in its channels. */
 export function valueMixer(
   { textures, occlusionStrength, bloodAmplitude }: ShaderInputs,
-  { influence, uv, sampler }: LayerInfluence,
+  layerInfluence: LayerInfluence,
 ): ValueMixer {
-  const sample = sampler(uv)
-  const known = new Map<string, Node<'vec4'>>()
-  const read = (texture: ArrayTexture, slice: number) => {
-    const key = `${texture.id} ${slice}`
-    const texel = known.get(key) ?? sample(texture, slice)
-    known.set(key, texel)
-    return texel
-  }
+  const { influence } = layerInfluence
+  const read = texelReader(layerInfluence)
   const scales = {
     occlusion: inputUniform<'vec4'>(occlusionStrength),
     blood: inputUniform<'vec4'>(bloodAmplitude),
   }
-  const layersOf = (kind: ValueKind) => {
+  const layersOf = (kind: MixedKind) => {
     const { texture, slices, channel } = textures.values[kind]!
     const layers = slices.flatMap((slice, layer) => (slice === null ? [] : [{ slice, layer }]))
     const shares = sharesOf(layers.map(({ layer }) => influence[CHANNELS[layer]]))
@@ -49,7 +43,6 @@ export function valueMixer(
       return { texel, stored: texel[CHANNELS[channel]], layer, share: shares[i] }
     })
   }
-  /** Value from the stored value of a layer's map. */
   const decode = (kind: SingleKind, stored: Node<'float'>, layer: number) => {
     if (kind === 'roughness') return stored
     const scale = scales[kind][CHANNELS[layer]]
@@ -69,13 +62,13 @@ export function valueMixer(
   }
 }
 
-/** See `bloodOf` in the reference. */
+/** Converts the stored value of a blood map to an amount of blood, see `bloodOf` in the reference. */
 export function bloodOf(stored: Node<'float'>): Node<'float'> {
   const steps = stored.mul(255).sub(BLOOD_AT_REST).toVar()
   return max(steps.div(255 - BLOOD_AT_REST), -1).mul(step(BLOOD_THRESHOLD, steps.abs()))
 }
 
-/** Skin colour with blood, see `bloodColour` in the reference. */
+/** Returns the colour of skin with an amount of blood, see `bloodColour` in the reference. */
 export function bloodColour(colour: Node<'vec3'>, blood: Node<'float'>): Node<'vec3'> {
   return colour.mul(
     vec3(...BLOOD_ABSORPTION)
@@ -84,20 +77,23 @@ export function bloodColour(colour: Node<'vec3'>, blood: Node<'float'>): Node<'v
   )
 }
 
-/** Returns a function from a light's cosine to the factor of its highlights, see `microShadow` in the reference. */
+/**
+ * Returns a function that computes how much occlusion darkens the highlight of a light, see `microShadow` in the reference. Its parameter is
+ * the cosine between normal and light direction.
+ */
 export function microShadow(visibility: Node<'float'>): (cosine: Node<'float'>) => Node<'float'> {
   const inverse = visibility.oneMinus().max(MIN_CONE).reciprocal().toVar()
   return (cosine) => cosine.mul(cosine).mul(inverse).min(1)
 }
 
-/** Lower bound of the cone without occlusion, so that every lit cosine gives 1. */
+/** Avoids a division by 0 in `microShadow`. Without occlusion, the factor of every highlight is then 1. */
 const MIN_CONE = 1e-20
 
 /**
- * Draws wrinkles as lines on toon materials, see `toonColour` in the reference.
+ * Draws wrinkles as dark lines on toon materials, see `toonColour` in the reference.
  *
- * @param base unpacked normal of the material.
- * @param mixed unpacked normal with wrinkles.
+ * @param base tangent-space normal of the material.
+ * @param mixed tangent-space normal with wrinkles.
  */
 export function toonColour(colour: Node<'vec3'>, base: Node<'vec3'>, mixed: Node<'vec3'>): Node<'vec3'> {
   const [from, to] = TOON_LINE.slopes

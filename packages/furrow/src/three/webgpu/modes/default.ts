@@ -5,7 +5,7 @@ import { tilingOf } from '../../mesh/tiling.ts'
 import { layerNodes } from '../mixing/layer-nodes.ts'
 import { patchNodes } from '../patch/patch-nodes.ts'
 
-/** Default mode for `WebGPURenderer`. */
+/** Patches a material for the mode `default` of `WebGPURenderer`: mixes the maps of layers into the maps of the material before lighting. */
 export const showDefault: RendererParts['showDefault'] = ({ material, inputs, meshes }) => {
   const { isTiled, supportsMesh, isCurrent: isTilingCurrent } = tilingOf(meshes, material)
   const mixesMaps = isToon(material) || Object.keys(inputs.textures.values).length > 0
@@ -20,7 +20,7 @@ export const showDefault: RendererParts['showDefault'] = ({ material, inputs, me
   }
 }
 
-/** Bit mask of the material's maps that layers are mixed into, because nodes depend on them. */
+/** Returns a bit mask of the maps that a material has. The nodes must be rebuilt when it changes. */
 function ownedMaps(material: WrinkleMaterial): number {
   const { map, roughnessMap, aoMap } = material as Partial<MeshStandardMaterial>
   return (map ? 1 : 0) + (roughnessMap ? 2 : 0) + (aoMap ? 4 : 0)

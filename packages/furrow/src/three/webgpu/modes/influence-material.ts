@@ -6,7 +6,10 @@ import { influenceFromAreas } from '../influence/influence-from-areas.ts'
 import { materialProperty } from '../node.ts'
 import { mapUv, repeat } from '../texture-sampling.ts'
 
-/** Shows the influence on the moving mesh as gray: black = no wrinkles, white = fully visible. */
+/**
+ * Patches an unlit material to show the influence map of a face in gray, or the weights of areas if a table of activations is given. Black =
+ * no wrinkles, white = fully visible.
+ */
 export const showInfluence: ShowInfluence = (material, { wrinkled, inputs, instances }, table) => {
   const uv = mapUv(wrinkled)
   const influence = (

@@ -17,7 +17,10 @@ import { materialProperty, normalInView, normalScale, typed } from '../node.ts'
 import type { Added } from '../patch/patch-nodes.ts'
 import { repeat } from '../texture-sampling.ts'
 
-/** Nodes of the paper mode: lights smooth normals, lights wrinkled normals, and mixes both colours. */
+/**
+ * Creates the nodes of the mode `paper`, the method of the paper in docs/paper.md. They compute the lighting with the smooth normals and
+ * again with the wrinkled normals. They mix the two colours by the influence of the wrinkles.
+ */
 export function paperNodes(
   material: Material,
   { texture: colours, diffuseIsSrgb }: PaperArray,
@@ -33,7 +36,7 @@ export function paperNodes(
     colorNode: materialProperty('color', 'color', material).mul(diffuse),
     normalNode: smooth,
     setupLighting(this: NodeMaterial, builder: NodeBuilder) {
-      // One lighting graph in a loop: if built twice, three.js would share the variables of the first one.
+      // A loop runs one lighting graph twice. If the graph were built twice, both copies would use the same variables.
       const colour = vec3(0).toVar()
       const normals = [normalInView(smooth).toVar(), normalInView(wrinkled).toVar()]
       const amount = influence.x.toVar()

@@ -4,7 +4,7 @@ import { patchNodes } from '../patch/patch-nodes.ts'
 import { mapUv } from '../texture-sampling.ts'
 import { paperNodes } from './paper-nodes.ts'
 
-/** Paper mode for `WebGPURenderer`. */
+/** Patches a material for the mode `paper` of `WebGPURenderer`, see `paperNodes`. */
 export const showPaper: RendererParts['showPaper'] = ({ material, inputs }) => {
   const array = inputs.paper!
   const uv = mapUv(material)

@@ -3,23 +3,23 @@ import { Fn } from 'three/tsl'
 import type { Node, NodeBuilder } from 'three/webgpu'
 import type { RendererParts } from '../../material/renderer-parts.ts'
 
-/** Build state of a material's shaders. */
 interface Watch {
-  /** Builds with an unknown result. */
+  /** Builds whose result is not known yet. */
   builds: Build[]
   error: string | null
 }
 
-/** A shader build: during a draw, or asynchronously by `compileAsync`. */
 interface Build {
   builder: Builder
+  /** Whether the build runs during a `render` call, and not in `compileAsync`. */
   isImmediate: boolean
 }
 
 const watches = new WeakMap<Material, Watch>()
 
 /**
- * Wraps a node to record each shader build for `shaderErrorOf`: three.js reports build errors only on the console, and draws nothing.
+ * Wraps a node so that each build of a shader that contains the node is recorded. `shaderErrorOf` checks the recorded builds, because
+ * three.js reports build errors only on the console.
  */
 export function watched(material: Material, node: Node<'vec3'>): Node<'vec3'> {
   const watch: Watch = watches.get(material) ?? { builds: [], error: null }
@@ -32,12 +32,11 @@ export function watched(material: Material, node: Node<'vec3'>): Node<'vec3'> {
   })()
 }
 
-/** Stops watching a material. */
 export function unwatch(material: Material): void {
   watches.delete(material)
 }
 
-/** Returns the build error of a material. On WebGPU the result arrives a few frames later. */
+/** Returns the build error of a material, or null. On WebGPU an error is known a few frames after the build. */
 export const shaderErrorOf: RendererParts['shaderErrorOf'] = (material) => {
   const watch = watches.get(material)
   if (!watch) return null
@@ -45,7 +44,7 @@ export const shaderErrorOf: RendererParts['shaderErrorOf'] = (material) => {
   return watch.error
 }
 
-/** Checks a build for errors. Returns false if the result is not known yet. */
+/** Checks a build, and sets `watch.error` if it failed. Returns false if the build is not complete. */
 function inspect({ builder, isImmediate }: Build, watch: Watch): boolean {
   const { fragmentShader, renderer } = builder
   if (fragmentShader === null) {
@@ -63,14 +62,14 @@ function inspect({ builder, isImmediate }: Build, watch: Watch): boolean {
   }
   if (!backend.device) check()
   else {
-    // Error scopes resolve in order: afterwards three.js has set `error` of its pipelines. A lost device rejects.
+    // Error scopes resolve in order. When this scope resolves, three.js has set `error` of its pipelines. If the device is lost, the promise rejects.
     backend.device.pushErrorScope('validation')
     backend.device.popErrorScope().then(check, () => {})
   }
   return true
 }
 
-/** Whether a pipeline of the WebGL 2 backend, which is a program, failed to link. */
+/** Whether the program of a pipeline failed to link. Only pipelines of the WebGL 2 backend have a program. */
 function isUnlinked({ programGPU }: PipelineData, { gl }: Builder['renderer']['backend']): boolean {
   if (!gl || !programGPU || gl.isContextLost()) return false
   return gl.getProgramParameter(programGPU, gl.LINK_STATUS) === false
@@ -98,9 +97,9 @@ type Builder = NodeBuilder & {
 }
 
 interface PipelineData {
-  /** Undefined until compiled. */
+  /** Undefined until the pipeline is compiled. */
   pipeline?: object
-  /** Set if the device rejects the pipeline. */
+  /** Set if the GPU device rejects the pipeline. */
   error?: boolean
   programGPU?: WebGLProgram
 }

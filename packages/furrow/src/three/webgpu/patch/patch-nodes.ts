@@ -13,23 +13,26 @@ const PATCHED = [
   'customProgramCacheKey',
 ] as const
 
-/** Material with the patched properties. Non-node materials can carry them too: the renderer copies them to its node material. */
+/**
+ * A material that may have the properties in `PATCHED`. They also work on materials that are not node materials, because the renderer draws
+ * these with a node material to which it copies all properties.
+ */
 export type Patched = WrinkleMaterial &
   Partial<Pick<MeshStandardNodeMaterial, Exclude<(typeof PATCHED)[number], 'customProgramCacheKey'>>>
 
-/** Properties set by a patch; every mode sets `normalNode`. */
+/** Properties that a patch sets. Every mode sets `normalNode`. */
 export type Added = Partial<Patched> & { normalNode: Node<'vec3'> }
 
 let patchCount = 0
 
-/** Patches the nodes of a material. */
+/** Sets nodes of a material to show wrinkles. */
 export function patchNodes(material: Patched, added: Added): Pick<ShownMode, 'undo'> {
   const original = Object.fromEntries(
     PATCHED.filter((key) => Object.hasOwn(material, key)).map((key) => [key, material[key]]),
   )
   const { customProgramCacheKey } = material
-  // The renderer shares programs among non-node materials with equal properties, but does not compare nodes. These nodes read their own
-  // textures, so each patch needs its own program.
+  // The renderer shares a program between non-node materials with equal properties, and does not compare their nodes. The nodes of different
+  // patches read different textures, so each patch needs a separate program.
   const variant = `furrow ${patchCount++}`
   Object.assign(material, added, {
     normalNode: watched(material, added.normalNode),

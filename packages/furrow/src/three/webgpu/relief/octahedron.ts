@@ -1,4 +1,4 @@
-/** Octahedral encoding of directions in TSL, see `CoarseParts`. */
+/** TSL for the octahedral encoding of directions; source in `CoarseParts`. */
 import { select, vec2, vec3 } from 'three/tsl'
 import type { Node } from 'three/webgpu'
 

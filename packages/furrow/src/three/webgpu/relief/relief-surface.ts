@@ -1,4 +1,7 @@
-/** Vertex of a dense geometry in TSL; same formulas as the GLSL in `webgl/` and `displace` in src/relief. */
+/**
+ * TSL that places the vertices of a dense geometry, i.e. a geometry with split triangles, on the deformed triangles of the original mesh, and
+ * displaces them by height maps. The formulas are those of the GLSL in `webgl/`, and of the reference implementation `displace` in src/relief.
+ */
 import type { BufferGeometry, Texture } from 'three'
 import {
   attribute,
@@ -19,27 +22,28 @@ import {
   vec4,
 } from 'three/tsl'
 import type { Node, NodeBuilder } from 'three/webgpu'
-import { CANCELLED, PHONG, ROOM_TO_CURVE } from '../../../relief/displaced.ts'
+import { CANCELLED, CLEARANCE_TO_CURVE, PHONG } from '../../../relief/displaced.ts'
 import type { ShaderInputs } from '../../material/shader-inputs.ts'
 import type { Instances } from '../../mesh/instances.ts'
 import { COARSE_WIDTH } from '../../relief/coarse-pass.ts'
-import type { ReliefInputs } from '../../relief/relief-inputs.ts'
+import { onsetLevels, type ReliefInputs } from '../../relief/relief-inputs.ts'
 import { influenceFromMap } from '../influence/influence.ts'
+import { delayInfluence } from '../mixing/onset.ts'
 import { instancedMesh } from '../newer-nodes.ts'
 import { inputUniform, typed } from '../node.ts'
 import { repeat } from '../texture-sampling.ts'
 import { fromOctahedron } from './octahedron.ts'
 
-/** Maximum number of vertices at one position whose normals are averaged. A loop guard that real meshes do not reach. */
+/** Maximum number of normals that are averaged at one position. It limits a loop in the shader; real meshes have fewer normals there. */
 const MAX_TWINS = 16
 
 const CHANNELS = ['x', 'y', 'z', 'w'] as const
 
 /**
- * Creates the `positionNode` of dense geometries, which shadows and other passes use too. Also sets normal and tangent. Other geometries are
- * unaffected.
+ * Creates a `positionNode` that places the vertices of dense geometries, and sets their normals and tangents. Other geometries stay unchanged.
+ * Shadows and other passes use the `positionNode` too.
  *
- * @param ownPosition the material's own `positionNode`, applied afterwards.
+ * @param ownPosition original `positionNode` of the material, or null. When `ownPosition` runs, `positionLocal` is the displaced position.
  */
 export function reliefPosition(
   relief: ReliefInputs,
@@ -55,7 +59,7 @@ export function reliefPosition(
     function cornerOf(axis: Axis): Corner {
       const [position, normal] = [vec3(0).toVar(), vec3(0).toVar()]
       const directions = vec4(0).toVar()
-      // Skips unused corners: most vertices coincide with a vertex of the mesh or lie on an edge.
+      // Corners with weight 0 are skipped. Most vertices have such a corner, because they are at a vertex or on an edge of the original mesh.
       If(weights[axis].greaterThan(0), () => {
         const corner = attribute<'vec3'>('furrowCorners', 'vec3')[axis]
         directions.assign(coarseTexel(relief.coarse.directions, corner))
@@ -68,21 +72,26 @@ export function reliefPosition(
     if (geometry.hasAttribute('tangent'))
       tangentLocal.assign(mixThree((axis) => fromOctahedron(corners[axis].directions.zw), weights))
     positionLocal.assign(surface(relief, inputs, instances, corners))
-    // three.js applied the instance matrix before the position was replaced; apply it again.
+    // three.js applied the instance matrix to the position that this function replaced, so the matrix must be applied again.
     if (instances) instancedMesh(object as never)
     return ownPosition ?? positionLocal
   })()
 }
 
-/** Coarse vertex of the triangle that contains a dense vertex. `directions` are for shading. */
+/** A corner of the original triangle that contains a dense vertex. */
 interface Corner {
   position: Node<'vec3'>
-  /** Smooth normal. */
+  /** Mean of the normals of all vertices at the position. */
   normal: Node<'vec3'>
+  /** Encoded normal (xy) and tangent (zw) for shading. */
   directions: Node<'vec4'>
 }
 
-/** Reads position and smooth normal of a parent. Off seams the smooth normal is the corner's. */
+/**
+ * Reads the position of a corner of the original triangle, and the mean of the normals of all vertices at this position.
+ *
+ * @param direction encoded normal of the corner.
+ */
 function readParent(
   { positions, directions }: ReliefInputs['coarse'],
   axis: Axis,
@@ -113,20 +122,26 @@ function readParent(
 }
 
 function surface(
-  { heights, unitsPerMetre, amount }: ReliefInputs,
+  relief: ReliefInputs,
   inputs: ShaderInputs,
   instances: Instances,
   corners: Record<Axis, Corner>,
 ): Node<'vec3'> {
+  const { heights, unitsPerMetre, amount } = relief
   const weights = attribute<'vec3'>('furrowWeights', 'vec3')
   const uvs = attribute<'vec4'>('furrowUvs', 'vec4')
-  const room = attribute<'float'>('furrowRoom', 'float')
+  const clearance = attribute<'float'>('furrowClearance', 'float')
   const level = attribute<'float'>('furrowLevel', 'float')
   const amountNow = inputUniform<'float'>(amount)
+  const onsetLevel = level.add(onsetLevels(inputs, relief)).max(0)
 
   function displacement(at: Node<'vec2'>): Node<'float'> {
     const uv = repeat(at).toVar()
-    const influence = influenceFromMap(inputs, uv, instances, true).toVar()
+    const influence = delayInfluence(
+      inputs,
+      influenceFromMap(inputs, uv, instances, true).toVar(),
+      (onset, slice) => texture(onset, uv).depth(int(slice)).level(onsetLevel),
+    )
     const moved = heights.layers.map(({ layer, slice, amplitude }) => {
       const height = texture(heights.texture, uv).depth(int(slice)).level(level)[CHANNELS[heights.channel]]
       return influence[CHANNELS[layer]].mul(height.sub(0.5)).mul(amplitude)
@@ -139,13 +154,13 @@ function surface(
     const { position, normal } = corners[axis]
     return normal.mul(flat.sub(position).dot(normal))
   }, weights)
-  const curved = amountNow.mul(PHONG).mul(min(room.div(ROOM_TO_CURVE), 1))
+  const curved = amountNow.mul(PHONG).mul(min(clearance.div(CLEARANCE_TO_CURVE), 1))
   const height = displacement(uvs.xy).toVar()
   If(uvs.x.notEqual(uvs.z).or(uvs.y.notEqual(uvs.w)), () => {
     height.assign(height.add(displacement(uvs.zw)).mul(0.5))
   })
   const direction = mixThree((axis) => corners[axis].normal, weights).normalize()
-  const outwards = height.clamp(room.negate(), room).mul(amountNow).mul(unitsPerMetre)
+  const outwards = height.clamp(clearance.negate(), clearance).mul(amountNow).mul(unitsPerMetre)
   return flat.sub(curve.mul(curved)).add(direction.mul(outwards))
 }
 

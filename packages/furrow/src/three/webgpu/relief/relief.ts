@@ -21,7 +21,7 @@ import { typed } from '../node.ts'
 import { toOctahedron } from './octahedron.ts'
 import { reliefPosition } from './relief-surface.ts'
 
-/** Writes each vertex to its texel; three.js applies blendshapes and skinning before `vertexNode`. */
+/** Creates the material of `CoarsePass`, which draws each vertex to one texel. three.js applies blendshapes and skinning before `vertexNode`. */
 const coarseMaterial: CoarseParts['coarseMaterial'] = (ring, first, rows, hasTangents) => {
   const i = int(vertexIndex).add(first)
   const texel = ivec2(i.mod(int(COARSE_WIDTH)), i.div(int(COARSE_WIDTH)))
@@ -33,7 +33,7 @@ const coarseMaterial: CoarseParts['coarseMaterial'] = (ring, first, rows, hasTan
       varying(vec4(toOctahedron(normalLocal), hasTangents ? toOctahedron(tangentLocal) : vec2(0))),
     ) as never,
   )
-  // Row 0 of the target is at the top: three.js flips render targets on both backends.
+  // Row 0 of a render target is at y = 1, because three.js flips render targets on both backends.
   const centre = vec2(texel).add(0.5).div(vec2(COARSE_WIDTH, rows))
   material.vertexNode = vec4(centre.mul(vec2(2, -2)).add(vec2(-1, 1)), 0, 1)
   return material
@@ -43,7 +43,10 @@ type Patched = Material & Partial<Pick<NodeMaterial, 'positionNode'>>
 
 let patchCount = 0
 
-/** Sets the material's `positionNode`. Non-node materials can carry it too: the renderer copies it to its node material. */
+/**
+ * Sets the `positionNode` of a material. This also works on a material that is not a node material, because the renderer draws it with a node
+ * material to which it copies all properties.
+ */
 const patch: ReliefParts['patch'] = (material: Patched, relief, inputs, instances) => {
   const { positionNode, customProgramCacheKey } = material
   const hadOwn = Object.hasOwn(material, 'positionNode')
@@ -61,12 +64,11 @@ const PARTS: ReliefParts = {
   coarseMaterial,
   hasContents: quadMaterials.hasContents,
   patch,
-  // Shadows use the material's `positionNode`.
+  // No shadow materials are needed, because shadows use the `positionNode` of the material.
   addShadowMaterials: () => () => {},
-  // Node materials read their own width and colour: a clone would not follow the original's.
+  // Outlines are unsupported: a node material reads its own width and colour, so a clone would ignore changes of the original outline.
   outlineMaterial: () => null,
   duringShadow: (_renderer, draw) => draw(),
 }
 
-/** Relief for `WebGPURenderer`. */
 export const createRelief: CreateRelief = (face, mode) => new ReliefControl(face, PARTS, mode)

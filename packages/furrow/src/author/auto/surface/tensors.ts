@@ -5,7 +5,7 @@ import { cornersOf, type SkinSurface } from '../../skin/surface.ts'
 export const TENSOR_SIZE = 6
 
 /**
- * Computes a tensor T at each point that tells how far the skin is shortened in each direction. For a unit vector c in the tangent plane,
+ * Computes a tensor T for each point, which describes the shortening of the skin in each direction. For a unit vector c in the tangent plane,
  * `dot(c, T * c)` is the lost fraction of length.
  *
  * T is the mean over the triangles around a point, weighted by area. The tensor of a triangle is `I - U`, where U is the right stretch tensor
@@ -40,7 +40,6 @@ export function hasTensor(tensors: Float64Array, point: number): boolean {
   return false
 }
 
-/** Returns whether any corner of a triangle moves. */
 function isMoved(displacements: ArrayLike<number>, corners: Uint32Array, first: number): boolean {
   for (let corner = first; corner < first + 3; corner++) {
     for (let i = 3 * corners[corner]; i < 3 * corners[corner] + 3; i++)
@@ -49,7 +48,7 @@ function isMoved(displacements: ArrayLike<number>, corners: Uint32Array, first: 
   return false
 }
 
-/** Computes the tensor of one triangle; returns its area at rest. */
+/** Computes the tensor of one triangle. Returns the triangle's area at rest. */
 function triangleTensor(
   points: ArrayLike<number>,
   displacements: ArrayLike<number>,

@@ -1,5 +1,6 @@
 /**
- * Returns shader expressions for the mixing weights of layers: their influences, divided by their sum if it exceeds 1.
+ * Returns shader expressions for the mixing weights of layers. A weight is the layer's influence, divided by the sum of all influences if
+ * the sum exceeds 1.
  *
  * @param influences shader expressions of the layers' influences, 0..1.
  */

@@ -1,27 +1,31 @@
-import { isSlice } from '../core/check-areas.ts'
-import { type ImageArray, imageArray } from '../core/image-array.ts'
-import type { ArraySlice, GrayImage, Layer, RgbaImage } from '../core/types.ts'
+import { isSlice } from '../../core/check-areas.ts'
+import { type ImageArray, imageArray } from '../../core/image-array.ts'
+import type { ArraySlice, GrayImage, Layer, RgbaImage } from '../../core/types.ts'
 
-/** Kinds of optional maps in a layer, besides normals. */
-export const VALUE_KINDS = ['baseColor', 'roughness', 'occlusion', 'blood'] as const
+/** Kinds of optional maps in a layer. Height maps are not listed, because materials do not sample them. */
+export const VALUE_KINDS = ['baseColor', 'roughness', 'occlusion', 'blood', 'onset'] as const
 export type ValueKind = (typeof VALUE_KINDS)[number]
 
-/** Kinds of maps that shaders mix. */
+/** Kinds of maps that are mixed into values of the material. Onset maps change the influence of layers instead. */
+export type MixedKind = Exclude<ValueKind, 'onset'>
+
+/** Kinds of maps that materials sample. */
 export const MAP_KINDS = ['normal', ...VALUE_KINDS] as const
 
-/** Images of one kind of map from all layers, in one array. */
+/** Maps of one kind from all layers, packed into one array. */
 export interface PackedMaps {
   images: ImageArray
-  /** Slice of each layer's map; null for layers without one. */
+  /** For each layer, the slice that stores its map; null if the layer has no such map. */
   slices: readonly (number | null)[]
-  /** Channel of single-channel maps. */
+  /** Channel that stores single-channel maps, 0 = first. */
   channel: number
 }
 
 /**
- * Packs the images of one kind. To save memory, images then alias the array, unless several layers share them.
+ * Packs all maps of one kind into one array. To save memory, the `data` of each map is replaced by a view of the array, unless several
+ * layers share the map.
  *
- * @param maps map of each layer, all of one size; undefined for layers without one.
+ * @param maps one map per layer, or undefined for layers without this kind. All maps have the same size.
  */
 export function packMaps(
   maps: readonly (RgbaImage | GrayImage | undefined)[],
@@ -44,7 +48,10 @@ export function packMaps(
   }
 }
 
-/** Copies layers for `packMaps`. Copies only texels of images that are alone in their kind, because packing copies the others. */
+/**
+ * Copies layers, because `packMaps` changes their maps. If only one layer has a map of some kind, the texels of this map are copied too.
+ * If several layers have such a map, `packMaps` copies the texels.
+ */
 export function copyLayers(layers: readonly Layer<ArraySlice>[]): Layer<ArraySlice>[] {
   const isAlone = (kind: (typeof MAP_KINDS)[number]) => layers.filter((layer) => layer[kind]).length === 1
   return layers.map((layer) => {

@@ -1,31 +1,32 @@
+import { powerOfTwoFrom } from '../math/scalar.ts'
 import type { CoarseMesh } from './coarse-mesh.ts'
-import { ROOM_TO_CURVE, smoothNormals } from './displaced.ts'
+import { CLEARANCE_TO_CURVE, smoothNormals } from './displaced.ts'
 import { PairNumbers } from './pair-numbers.ts'
 import { nextCorner } from './welded-edges.ts'
 
-/** Fraction of the gap between two surfaces that each surface may fill. */
+/** Two facing surfaces may each fill this fraction of the gap between them. */
 const OF_GAP = 0.4
 
-/** Increase of the room per distance from a rim. */
+/** Clearance of a vertex, as a fraction of its distance from the nearest rim. */
 const FROM_RIM = 0.25
 
-/** Room without obstacles, metres: more than the height of any fold. */
+/** Clearance where no other surface is near, in metres. It is larger than the height of any wrinkle. */
 const AMPLE = 0.01
 
-/** Maximum cosine between the normals of surfaces that face each other, and between the normals at both ends of a rim edge. */
+/** Normals are opposed if the cosine of the angle between them is below this number. */
 const OPPOSED = -0.2
 
 /**
- * Computes the room at each vertex: how far a surface may bulge outwards without touching itself. Lips face each other, so each may fill less
- * than half of the gap. Rims, such as the rims of eyelids, touch other parts when the face moves. The room is therefore 0 on rims and grows
- * with the distance from them.
+ * Computes the clearance of each vertex: how far the surface may be displaced outwards without touching another part of the mesh. Where two
+ * surfaces face each other, such as the lips, each may fill less than half of the gap. Rims, such as the edges of eyelids, touch other parts
+ * when the face moves. The clearance is therefore 0 on rims and grows with the distance from them.
  *
  * @param normals unit normals at rest.
- * @param firstOf maps each vertex to the first vertex at the same position, see `firstVertices`.
- * @param reach maximum displacement, metres. Rooms larger than this are not measured exactly.
- * @returns generator that yields between parts of the work, and returns the room at each vertex, metres.
+ * @param firstOf maps each vertex to the first vertex at the same position; see `firstVertices`.
+ * @param reach maximum displacement by height maps, in metres. A returned clearance above `reach` is not exact.
+ * @returns generator that yields between parts of the work, and returns the clearance of each vertex, in metres.
  */
-export function* outwardRoom(
+export function* outwardClearance(
   { positions, triangles }: CoarseMesh,
   normals: ArrayLike<number>,
   firstOf: Uint32Array,
@@ -36,8 +37,8 @@ export function* outwardRoom(
   yield
   const points = firstOf.filter((first, vertex) => first === vertex)
   const rim = points.filter((i) => isRim[i])
-  const most = Math.max(reach, ROOM_TO_CURVE)
-  const room = new Float32Array(firstOf.length)
+  const most = Math.max(reach, CLEARANCE_TO_CURVE)
+  const clearance = new Float32Array(firstOf.length)
   const grid = new PointGrid(positions, points, most / OF_GAP)
   const rimGrid = new PointGrid(positions, rim, most / FROM_RIM)
   const isAny = () => true
@@ -46,16 +47,16 @@ export function* outwardRoom(
     if (k % SLICE === 0) yield
     const fromRim = rimGrid.nearest(i, isAny) * FROM_RIM
     const ofGap = grid.nearest(i, isFaced) * OF_GAP
-    room[i] = Math.min(fromRim, ofGap, AMPLE)
+    clearance[i] = Math.min(fromRim, ofGap, AMPLE)
   }
-  for (let i = 0; i < room.length; i++) room[i] = room[firstOf[i]]
-  return room
+  for (let i = 0; i < clearance.length; i++) clearance[i] = clearance[firstOf[i]]
+  return clearance
 }
 
 /** Number of points between two yields. */
 const SLICE = 512
 
-/** Whether point `j` is in front of point `i`, and their surfaces face each other. */
+/** Whether point `j` is in front of the surface at point `i`, and the surfaces at both points face each other. */
 function isFacing(positions: ArrayLike<number>, smooth: Float64Array, i: number, j: number): boolean {
   if (i === j || dot(smooth, 3 * i, smooth, 3 * j) >= OPPOSED) return false
   let ahead = 0
@@ -63,7 +64,10 @@ function isFacing(positions: ArrayLike<number>, smooth: Float64Array, i: number,
   return ahead >= 0
 }
 
-/** Returns 1 for each vertex on the border of the mesh, or on an edge where the surface folds back. Indexed by first vertex. */
+/**
+ * Returns 1 for each vertex on a rim, 0 for the others. A rim is the border of the mesh, or an edge with opposed normals at its ends. Only the
+ * first vertex at a position is marked.
+ */
 function rims(triangles: ArrayLike<number>, smooth: Float64Array, firstOf: Uint32Array): Uint8Array {
   const isRim = new Uint8Array(firstOf.length)
   const corners = triangles.length - (triangles.length % 3)
@@ -85,20 +89,20 @@ function rims(triangles: ArrayLike<number>, smooth: Float64Array, firstOf: Uint3
   return isRim
 }
 
-/** Spatial hash of points in cubic cells, for nearest-neighbour queries. */
+/** Points in a grid of cubic cells, for nearest-neighbour queries. Cells are stored in a hash table. */
 class PointGrid {
   readonly #positions: ArrayLike<number>
   readonly #side: number
   /** Integer coordinates of each vertex's cell, packed xyz. */
   readonly #cubes: Int32Array
-  /** Hash table of cells with linear probing. Slots hold the index of the last point in the cell plus 1, or 0 if they are free. */
+  /** Hash table of cells, with linear probing. A slot stores 1 plus the index of the last point in the cell, or 0 if it is free. */
   readonly #last: Uint32Array
-  /** Linked lists: index plus 1 of the previous point in the same cell, or 0. */
+  /** Linked lists of the points in each cell. For each point, 1 plus the index of the previous point in the same cell, or 0. */
   readonly #before: Uint32Array
   readonly #count: number
-  /** Coordinates of the cell of the last query. Consecutive queries often have the same cell. */
+  /** Coordinates of the cell of the last query. `#around` stays valid for the next query in the same cell. */
   readonly #middle = [NaN, NaN, NaN]
-  /** Heads of the lists of all occupied cells around the last query. */
+  /** For each occupied cell around the last query, 1 plus the index of its last point. */
   readonly #around = new Uint32Array(27)
   #near = 0
 
@@ -107,7 +111,7 @@ class PointGrid {
     this.#side = side
     this.#count = points.length
     this.#cubes = Int32Array.from(positions, (coordinate) => Math.floor(coordinate / side))
-    this.#last = new Uint32Array(2 ** Math.ceil(Math.log2(2 * points.length + 2)))
+    this.#last = new Uint32Array(powerOfTwoFrom(2 * points.length + 2))
     this.#before = new Uint32Array(positions.length / 3)
     for (let k = 0; k < points.length; k++) {
       const i = points[k]
@@ -117,7 +121,7 @@ class PointGrid {
     }
   }
 
-  /** Returns all points, cell by cell. */
+  /** Returns the indices of all points, sorted by cell. */
   points(): Uint32Array {
     const all = new Uint32Array(this.#count)
     let count = 0
@@ -127,7 +131,7 @@ class PointGrid {
     return all
   }
 
-  /** Returns the distance to the nearest point that fulfils a condition, or Infinity if none is within one cell size. */
+  /** Returns the distance from point `i` to the nearest point `j` that fulfils a condition, or Infinity if none is within one cell size. */
   nearest(i: number, condition: (j: number, i: number) => boolean): number {
     this.#lookAround(this.#cubes[3 * i], this.#cubes[3 * i + 1], this.#cubes[3 * i + 2])
     let least = this.#side ** 2
@@ -143,7 +147,7 @@ class PointGrid {
     return isFound ? Math.sqrt(least) : Infinity
   }
 
-  /** Finds the lists of a cell and of its 26 neighbours. */
+  /** Sets `#around` to the occupied cells among a cell and its 26 neighbours. */
   #lookAround(x: number, y: number, z: number): void {
     const middle = this.#middle
     if (middle[0] === x && middle[1] === y && middle[2] === z) return
@@ -168,7 +172,7 @@ class PointGrid {
     return x * x + y * y + z * z
   }
 
-  /** Returns the slot of a cell, or a free slot if the cell has no points. */
+  /** Returns the slot of a cell in `#last`, or a free slot if the cell has no points. */
   #slotOf(x: number, y: number, z: number): number {
     const h = Math.imul(x, 0x9e3779b1) ^ Math.imul(y, 0x85ebca6b) ^ Math.imul(z, 0xc2b2ae35)
     const mask = this.#last.length - 1

@@ -1,23 +1,23 @@
 import type { ValueKind } from './layer-maps.ts'
 
-/** Shader inputs of one kind of optional maps. */
+/** Locations of all maps of one kind, such as roughness, in the textures of a shader. */
 export interface ValueLayers {
-  /** Slice of each layer's map; null for layers without one. */
+  /** For each layer, the slice that stores its map; null if the layer has no such map. */
   readonly slices: readonly (number | null)[]
   readonly channel: number
-  /** Kind whose array and sampler hold these maps. */
+  /** Kind of map after which the sampler is named. Occlusion and blood may share a sampler. */
   readonly sampler: ValueKind
 }
 
-/** A texel that shaders read once, for all kinds of maps in its channels. */
+/** A texel that shaders fetch once. Its channels may store values of several kinds of maps. */
 export interface ValueTexel {
-  /** Shader variable. */
+  /** Name of the shader variable. */
   name: string
   sampler: ValueKind
   slice: number
 }
 
-/** Lists the texels of all kinds; each slice of an array once. */
+/** Lists the texels that shaders fetch. Each slice of an array is listed once. */
 export function listTexels(values: Readonly<Partial<Record<ValueKind, ValueLayers>>>): ValueTexel[] {
   const all = Object.values(values)
   const samplers = [...new Set(all.map(({ sampler }) => sampler))]
@@ -28,7 +28,7 @@ export function listTexels(values: Readonly<Partial<Record<ValueKind, ValueLayer
   })
 }
 
-/** Returns the shader variable of a slice's texel. */
+/** Returns the name of the shader variable for the texel of a slice. */
 export function texelOf(sampler: ValueKind, slice: number): string {
   return `furrowTexel_${sampler}_${slice}`
 }

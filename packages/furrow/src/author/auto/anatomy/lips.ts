@@ -1,0 +1,123 @@
+import { power } from '../../../math/elementary.ts'
+import { lerp } from '../../../math/scalar.ts'
+import type { FaceRng } from './face-rng.ts'
+import { chinGroove, mouthLine } from './mouth-line.ts'
+import { strongestBend } from './profile.ts'
+import { bezierPath, chartPointOf, type FaceContext, type FaceRegion, type Guide } from './region.ts'
+
+/** Fraction of the height from the mouth line to the groove above the chin that the red of the lower lip covers (Farkas 1994). */
+const LOWER_RED = 0.55
+
+/** Properties of a lip's lines. */
+interface LipLines {
+  /** Numbers of lines at 20 and 80 years. */
+  counts: readonly [at20: number, at80: number]
+  /** Distance in millimetres from the start of a line, inside the red, to the border: real lines cross it. */
+  inside: number
+  /** Range of lengths relative to the skin between the lip and the nose or the groove above the chin. */
+  lengths: readonly [low: number, high: number]
+  /** Range of depths relative to the deepest line. */
+  depths: readonly [low: number, high: number]
+  /** Distance of the innermost lines from the middle of the face, relative to that of the corner of the mouth: the philtrum has none. */
+  innermost: number
+}
+
+const UPPER: LipLines = {
+  counts: [6, 11],
+  inside: 1,
+  lengths: [0.25, 0.8],
+  depths: [0.45, 1],
+  innermost: 0.24,
+}
+const LOWER: LipLines = {
+  counts: [4, 8],
+  inside: 2.5,
+  lengths: [0.3, 0.75],
+  depths: [0.35, 0.8],
+  innermost: 0,
+}
+/** Distance of the outermost lines from the middle of the face, relative to that of the corner of the mouth. */
+const OUTERMOST = 0.8
+/** Minimum length of a line outside the red, in millimetres. */
+const MIN_LENGTH = 2.5
+/** Exponent of the places of lines. Below 1, it crowds them towards the corners of the mouth. */
+const CROWDING = 0.75
+
+/** Returns the regions of the lips, with fine lines that run away from the red (orbicularis oris muscle). */
+export function lips(context: FaceContext): FaceRegion[] {
+  return [lip(context, 'upperLip', 1), lip(context, 'lowerLip', -1)]
+}
+
+/** @param away 1 for lines that run upwards from the upper lip, -1 for lines that run downwards from the lower lip. */
+function lip(context: FaceContext, name: string, away: 1 | -1): FaceRegion {
+  const { landmarks, byAge, rngOf } = context
+  const rng = rngOf(name)
+  const [corner] = chartPointOf(landmarks.mouthCorner)
+  const border = away > 0 ? upperBorder(context) : lowerBorder(context)
+  const { counts, inside, lengths, depths, innermost } = away > 0 ? UPPER : LOWER
+  const lines = Math.round(byAge(...counts) + rng.jitter(1))
+  const draw = (rng: FaceRng, i: number): Guide => {
+    const place = (2 * (i + 0.5 + rng.across(0.42))) / lines - 1
+    const across = Math.sign(place) * corner * lerp(innermost, OUTERMOST, power(Math.abs(place), CROWDING))
+    const { up: from, space } = border(across)
+    // Beside the nose, long lines would reach the nasolabial fold.
+    const shortening = 1 - (0.5 * across * across) / (corner * corner)
+    const length = inside + Math.max(MIN_LENGTH, space * shortening * rng.uniform(...lengths))
+    const start = from - away * inside
+    const lean = 0.08 * across + rng.across(1.2)
+    const depth = rng.uniform(...depths)
+    // A line in the middle would lie in the philtrum, so it vanishes on a symmetric face.
+    const isMiddle = 2 * i + 1 === lines && innermost > 0
+    return {
+      path: bezierPath(
+        1,
+        [across, start],
+        [across + 0.2 * lean, start + (away * length) / 3],
+        [across + 0.6 * lean, start + (away * 2 * length) / 3],
+        [across + lean, start + away * length],
+      ),
+      width: byAge(1.2, 1.5),
+      depth: isMiddle ? rng.towards(0, depth) : depth,
+      taper: [0.4, 0.7],
+      shoulder: [0.8, 0.8],
+      softness: 0.85,
+    }
+  }
+  const guides = rng.row(lines, draw).filter(({ depth }) => depth > 0)
+  return {
+    name,
+    cause: { mouthPucker: 1, mouthFunnel: 0.3 },
+    guides,
+    spacing: (2 * corner * (OUTERMOST - innermost)) / lines,
+    creasedFraction: byAge(0.15, 0.7),
+    maxDepth: byAge(0.2, 0.45),
+    atRest: 0.4,
+    reach: 1.5,
+    feather: 4,
+  }
+}
+
+/** Returns the height of a lip's border at a distance from the middle of the face, and the length of the skin beside it, in millimetres. */
+type Border = (across: number) => { up: number; space: number }
+
+/** The red of the upper lip ends at a ridge between the mouth and the nose. */
+function upperBorder(context: FaceContext): Border {
+  const { landmarks, radiusAt } = context
+  return (across) => {
+    const from = [across, mouthLine(context, across)] as const
+    const [, up] = strongestBend(radiusAt, from, [across, landmarks.noseBase], 1)
+    return { up, space: landmarks.noseBase - up }
+  }
+}
+
+/** The red of the lower lip ends between the mouth and the groove above the chin. It meets the red of the upper lip in the corners. */
+function lowerBorder(context: FaceContext): Border {
+  const [corner, mouth] = chartPointOf(context.landmarks.mouthCorner)
+  const groove = chinGroove(context)
+  const height = mouth - lerp(mouthLine(context, 0), groove, LOWER_RED)
+  return (across) => {
+    const relative = across / corner
+    const up = mouth - height * (1 - relative * relative)
+    return { up, space: up - groove }
+  }
+}

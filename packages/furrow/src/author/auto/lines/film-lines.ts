@@ -1,0 +1,160 @@
+import { length2 } from '../../../math/vector.ts'
+import type { SkinSurface, SurfacePoint } from '../../skin/surface.ts'
+import type { BucklingRegion, SkinFilm } from '../anatomy/region.ts'
+import { buckle } from '../buckling/buckle.ts'
+import { flatChart, liftPoint } from '../buckling/flat-chart.ts'
+import { Relief } from '../buckling/relief.ts'
+import { type ChartSamples, sampleAt, sampleChart } from '../buckling/sample-chart.ts'
+import { traceValleys, type Valley } from '../buckling/valleys.ts'
+import type { DetectedFace } from '../surface/detect-face.ts'
+import { type ChartPoint, type HeadChart, unrollPoint } from '../surface/head-chart.ts'
+import { type FilmFields, filmFields } from './film-fields.ts'
+import { keptRuns, type LaidLine } from './laid-line.ts'
+import { STEP } from './trace.ts'
+
+/** Distance between samples of the film in millimetres. Wrinkles of the thinnest skin are about three samples wide. */
+const SPACING = 1.5
+/** Minimum distance between the skin and its periodic copy in millimetres. */
+const MARGIN = 8
+/** Skin folds only if the cosine between its normal and the head's outward direction exceeds this. */
+const FACING = 0.1
+/** Skin folds only if its depth below the outermost skin is less than this, in millimetres. */
+const HIDDEN = 4
+/** Minimum weight of the compression at a line. */
+const MIN_WEIGHT = 0.05
+/** Minimum depth of a line below the mean height, in millimetres. */
+const MIN_DEPTH = 0.07
+/** Minimum length of a line, in wavelengths. */
+const MIN_LENGTH = 1.2
+/** Minimum mean cosine of the angle between a line and the perpendicular to the muscle's pull. */
+const ALIGNED = 0.7
+/** Width of the shallowest lines, as a fraction of the width of the deepest line. */
+const NARROWEST = 0.75
+
+/** Heights of a folded film, and the valleys between its ridges. */
+interface FoldedFilm {
+  samples: ChartSamples
+  fields: FilmFields
+  heights: Float64Array
+  valleys: readonly Valley[]
+}
+
+/**
+ * Lays lines along the valleys of skin that buckles.
+ *
+ * @param tensors `compressionTensors` of the region's expression.
+ * @param report called with the fraction done.
+ * @returns an empty array if the skin is compressed less than the critical compression.
+ */
+export function layFilm(
+  face: Pick<DetectedFace, 'surface' | 'chart'>,
+  region: Pick<BucklingRegion, 'film' | 'creasedFraction' | 'spacing'>,
+  tensors: Float64Array,
+  report: (fraction: number) => void,
+): LaidLine[] {
+  const folded = foldFilm(face, region, tensors, report)
+  if (!folded) return []
+  const { samples, fields, valleys } = folded
+  const deepest = valleys.reduce((most, { depths }) => Math.max(most, ...depths), 0)
+  return valleys.flatMap((valley) => layValley(samples, fields, valley, region.film, deepest))
+}
+
+/** Computes the heights and valleys of a region's film. Returns undefined if the mesh has no skin there. */
+function foldFilm(
+  { surface, chart: head }: Pick<DetectedFace, 'surface' | 'chart'>,
+  { film, creasedFraction, spacing }: Pick<BucklingRegion, 'film' | 'creasedFraction' | 'spacing'>,
+  tensors: Float64Array,
+  report: (fraction: number) => void,
+): FoldedFilm | undefined {
+  const positionOnHead = (point: number): ChartPoint => {
+    const [across, up] = unrollPoint(surface.points, point)
+    return [across - film.centre[0], up - film.centre[1]]
+  }
+  const chart = flatChart(surface, (point) => isFolding(surface, head, film, point), positionOnHead)
+  if (!chart) return undefined
+  const samples = sampleChart(chart, SPACING, MARGIN)
+  const { grid, origin } = samples
+  const fields = filmFields(samples, film, tensors)
+  const [xx, xy, yy] = fields.compression.map((part) => part.map((value) => creasedFraction * value))
+  const heights = buckle({ ...fields, compression: [xx, xy, yy], grid, origin, noise: film.noise }, report)
+  const valleys = traceValleys(new Relief(grid, heights), {
+    step: STEP,
+    wavelength: (x, y) => fields.wavelength[sampleAt(samples, x, y)],
+    isInside: (x, y) => fields.weight[sampleAt(samples, x, y)] > MIN_WEIGHT,
+    minDepth: MIN_DEPTH,
+    minLength: MIN_LENGTH * spacing,
+  }).filter((valley) => alignment(samples, fields, valley) > ALIGNED)
+  return { samples, fields, heights, valleys }
+}
+
+/** Returns whether a point is inside the film's patch and on outer skin. */
+function isFolding(surface: SkinSurface, head: HeadChart, film: SkinFilm, point: number): boolean {
+  if (!film.isFlattened(unrollPoint(surface.points, point))) return false
+  const [x, y, z] = surface.points.subarray(3 * point, 3 * point + 3)
+  const { facing, depth } = head.exposure(x, y, z, surface.normals.subarray(3 * point, 3 * point + 3))
+  return facing > FACING && depth < HIDDEN
+}
+
+/** Returns the mean cosine of the angle between a valley and the perpendicular to the muscle's pull. */
+function alignment(samples: ChartSamples, { pull: [pullX, pullY] }: FilmFields, { points }: Valley): number {
+  let sum = 0
+  for (let i = 0; i + 3 < points.length; i += 2) {
+    const [dx, dy] = [points[i + 2] - points[i], points[i + 3] - points[i + 1]]
+    const sample = sampleAt(samples, points[i], points[i + 1])
+    sum += Math.abs(dx * pullY[sample] - dy * pullX[sample]) / (length2(dx, dy) || 1)
+  }
+  return sum / (points.length / 2 - 1)
+}
+
+/** Lifts a valley onto the surface. Where the skin has a hole, the line is cut. */
+function layValley(
+  samples: ChartSamples,
+  fields: FilmFields,
+  { points, depths, joins }: Valley,
+  { style }: SkinFilm,
+  deepest: number,
+): LaidLine[] {
+  const { chart, origin, triangles } = samples
+  const most = Math.max(...depths)
+  const share = most / deepest
+  const count = depths.length
+  const sampleOf = (i: number) => sampleAt(samples, points[2 * i], points[2 * i + 1])
+  let index = -1
+  const lifted = Array.from({ length: count }, (_, i) => {
+    if (index < 0) index = triangles[sampleOf(i)]
+    const found =
+      index < 0
+        ? undefined
+        : liftPoint(chart, index, origin[0] + points[2 * i], origin[1] + points[2 * i + 1])
+    index = found?.index ?? -1
+    return found?.point
+  })
+  return keptRuns(count, (i) => lifted[i] !== undefined).map(([start, end]) => {
+    const part = lifted.slice(start, end) as SurfacePoint[]
+    return {
+      style: {
+        ...style,
+        width: style.width * (NARROWEST + (1 - NARROWEST) * share),
+        depth: style.depth * share,
+        taper: [start > 0 || joins[0] ? 0 : style.taper[0], end < count || joins[1] ? 0 : style.taper[1]],
+      },
+      points: Float64Array.from(part.flatMap(({ position }) => [...position])),
+      triangles: part.map(({ triangle }) => triangle),
+      compressions: part.map((_, k) => compressionAcross(fields, sampleOf(start + k), points, start + k)),
+      relativeDepths: depths.slice(start, end).map((depth) => depth / most),
+    }
+  })
+}
+
+/** Returns the compression across a line at one of its points. */
+function compressionAcross(
+  { compression: [xx, xy, yy] }: FilmFields,
+  sample: number,
+  points: readonly number[],
+  i: number,
+): number {
+  const [before, after] = [2 * Math.max(i - 1, 0), Math.min(2 * i + 2, points.length - 2)]
+  const [dx, dy] = [points[after] - points[before], points[after + 1] - points[before + 1]]
+  const square = dx * dx + dy * dy || 1
+  return (xx[sample] * dy * dy - 2 * xy[sample] * dx * dy + yy[sample] * dx * dx) / square
+}
