@@ -2,8 +2,8 @@ import { defineConfig } from 'vite'
 import { SOURCES } from '../../scripts/lib/sources.mjs'
 
 /**
- * Builds src/ into dist/, one output per module, and includes the used modules of `furrow` and `furrow-files`. All other
- * packages stay dependencies. The job process of a batch is a separate entry point.
+ * Builds src/ into dist/, with one output per module. The output includes the modules of `furrow` and `furrow-files`
+ * that the CLI uses. All other packages stay dependencies. The job process of a batch is a second entry point.
  */
 export default defineConfig({
   logLevel: 'warn',

@@ -7,13 +7,13 @@ import type { Browser, Page } from 'playwright-core'
 import { CHROMIUM_FLAGS } from './chromium-flags.ts'
 import { temporaryFolder } from './interruption.ts'
 
-/** Loads Playwright on demand: few commands need it, and it takes as long to load as everything else together. */
+/** Loads Playwright on demand. Few commands need it, and it takes as long to load as all other modules together. */
 const playwright = async () => (await import('playwright-core')).chromium
 
-/** Timeout for starting a browser, milliseconds. */
+/** Time limit for starting a browser, milliseconds. */
 const START_TIMEOUT = 300_000
 
-/** Returns the usual paths of browsers, most common first. */
+/** Returns the paths at which browsers are usually installed, most common browser first. */
 function installPaths(): string[] {
   if (process.platform === 'darwin') {
     const apps = ['Google Chrome', 'Chromium', 'Microsoft Edge']
@@ -34,10 +34,10 @@ function installPaths(): string[] {
 }
 
 /**
- * Finds a Chromium-based browser: `FURROW_CHROMIUM`, otherwise an installed Chrome, Chromium or Edge, otherwise
- * Playwright's own.
+ * Finds a Chromium-based browser: the program in `FURROW_CHROMIUM`, otherwise an installed Chrome, Chromium or Edge,
+ * otherwise the browser that Playwright installed.
  *
- * @returns path of the executable.
+ * @returns path of the program.
  * @throws FurrowError if no browser is found, or `FURROW_CHROMIUM` is not a program.
  */
 export async function findBrowser(): Promise<string> {
@@ -67,8 +67,8 @@ export async function findBrowser(): Promise<string> {
 }
 
 /**
- * Starts the browser that `findBrowser` finds, headless. The caller closes it. A signal also ends the browser and
- * removes its temporary files.
+ * Starts the browser from `findBrowser` in headless mode. The caller closes the browser. If a signal ends this process,
+ * the browser ends too and its temporary files are removed.
  *
  * @param flags flags in addition to `CHROMIUM_FLAGS`.
  */
@@ -104,7 +104,7 @@ export async function launchBrowser(flags: readonly string[] = []): Promise<Brow
   }
 }
 
-/** Runs `work` with TMPDIR set to a folder: Playwright and the browser put their temporary files there. */
+/** Runs `work` with TMPDIR set to a folder. Playwright and the browser write their temporary files there. */
 async function inFolder<T>(folder: string, work: () => Promise<T>): Promise<T> {
   const { TMPDIR } = process.env
   process.env.TMPDIR = folder
@@ -116,7 +116,7 @@ async function inFolder<T>(folder: string, work: () => Promise<T>): Promise<T> {
   }
 }
 
-/** Opens an empty page without timeouts, because software rasterisers can be slow. */
+/** Opens an empty page without time limits, because a software rasteriser can be slow. */
 export async function newPage(browser: Browser, options?: Parameters<Browser['newPage']>[0]): Promise<Page> {
   const page = await browser.newPage(options)
   page.setDefaultTimeout(0)

@@ -1,19 +1,19 @@
 import { existsSync } from 'node:fs'
 
-/** Whether the machine has a GPU; assumed true on systems other than Linux. */
+/** Whether the machine has a GPU. Assumed true on systems other than Linux. */
 const HAS_GPU = process.platform !== 'linux' || existsSync('/dev/dri') || existsSync('/dev/nvidia0')
 
 /**
- * Flags that make WebGL, WebGPU and the compositor use the same Vulkan. A WebGPU canvas shares Vulkan memory with the
- * compositor; if the compositor cannot read it, the GPU process crashes ("A valid external Instance reference no
- * longer exists"). The software rasteriser needs all three flags.
+ * Flags that make WebGL, WebGPU and the compositor use the same Vulkan driver. A WebGPU canvas shares Vulkan memory
+ * with the compositor. If the compositor cannot read this memory, the GPU process crashes ("A valid external Instance
+ * reference no longer exists").
  */
 const VULKAN = HAS_GPU
-  ? // Without a display, WebGPU rejects devices that need a surface, and falls back to the software rasteriser.
+  ? // The last flag lets WebGPU use the GPU without a window surface. Otherwise it would need a display to use the GPU.
     ['--enable-features=Vulkan', '--use-angle=vulkan', '--disable-vulkan-surface']
   : ['--enable-features=Vulkan', '--use-angle=swiftshader', '--use-vulkan=swiftshader']
 
-/** Flags for WebGL 2 and WebGPU in headless Chromium, on the GPU or, without a GPU, on the software rasteriser. */
+/** Flags of headless Chromium for WebGL 2 and WebGPU on the GPU. Without a GPU, Chromium uses a software rasteriser. */
 export const CHROMIUM_FLAGS: readonly string[] = [
   '--no-sandbox',
   '--disable-background-networking',

@@ -4,10 +4,10 @@ import { didYouMean } from 'furrow/internal'
 import { forgetFilesRead } from 'furrow-files/node'
 
 /**
- * Creates a command that throws commander's errors (unknown options, missing or invalid arguments) as `FurrowError`
- * with the code `usage`. It does not print them and does not exit.
+ * Creates a command that throws `FurrowError` with the code `usage` for unknown options and for missing or invalid
+ * arguments. Commander would print these errors and exit.
  *
- * @param name command name as typed; `furrow` is the program itself.
+ * @param name name of the command as the user types it, or `furrow` for the program itself.
  */
 export function createCommand(name: string): Command {
   const who = name === 'furrow' ? name : `furrow ${name}`
@@ -17,13 +17,13 @@ export function createCommand(name: string): Command {
     checkValues(command, who)
   })
   return command.exitOverride((error) => {
-    // Help or version was printed; commander then exits.
+    // Commander has printed the help or the version.
     if (error.exitCode === 0 || error.code === 'commander.help') return
     throw usageError(command, who, error)
   })
 }
 
-/** Throws if an argument or option is empty: usually an unset variable in a script. */
+/** Throws if an argument or option is an empty string, which usually comes from an unset variable in a script. */
 function checkValues(command: Command, who: string): void {
   const given = [
     ...command.registeredArguments.map((argument, i) => [
@@ -50,22 +50,25 @@ function usageError(command: Command, who: string, error: CommanderError): Furro
   const toError = (problem: string, remedy: string) =>
     new FurrowError({ code: 'usage', who, problem, remedy }, { cause: error })
   const help = `see ${who} --help`
-  // A misspelt required option is reported as unknown, not as missing.
+  // If a required option is misspelt, commander reports it as missing. An error about the unknown option helps more.
   const unknown = error.code === 'commander.missingMandatoryOptionValue' ? unknownOption(command) : undefined
   if (unknown !== undefined) {
     const options = command.options.flatMap(({ long }) => long ?? [])
     return toError(`unknown option '${unknown}'`, didYouMean(unknown, options, help))
   }
-  // Commander suggests commands and options, but not choices.
+  // Commander suggests similar commands and options, but not similar values of an option with fixed choices.
   if (suggestion) return toError(problem, `did you mean "${suggestion}"?`)
   const choice = /argument '(.*)' is invalid\. Allowed choices are (.*)$/.exec(problem)
   if (!choice) return toError(problem, help)
-  // An option with several values also consumes a file that follows it.
+  // An option with several values takes all following words as values, even words that are meant as file names.
   const fallback = problem.includes('...>') ? `put files before this option; ${help}` : help
   return toError(problem, didYouMean(choice[1], choice[2].split(', '), fallback))
 }
 
-/** Parses commander's message: `error: PROBLEM`, optionally a full stop, then a line with a suggestion. */
+/**
+ * Parses commander's message. It is `error: PROBLEM`, optionally a full stop, and optionally a second line with a
+ * suggestion.
+ */
 function readMessage({ message }: CommanderError): { problem: string; suggestion: string | undefined } {
   const [first, second = ''] = message.split('\n')
   const problem = first.replace(/^error: /, '').replace(/\.$/, '')

@@ -3,8 +3,8 @@ import { filesOfFace, wasRead } from 'furrow-files/node'
 import { checkOutputs, checkReplaced, type ReplaceRules } from './outputs.ts'
 
 /**
- * Returns the files to write for a face; see `filesOfFace`. With `force`, only the named output may overwrite an input:
- * files beside a `.gltf` then get new names.
+ * Returns the files to write for a face, see `filesOfFace`. With `force`, only `path` may overwrite an input. If a
+ * buffer or image of a `.gltf` would overwrite an input, it gets another name.
  *
  * @throws FurrowError if a file would overwrite an input, or cannot be written.
  */

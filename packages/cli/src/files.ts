@@ -16,11 +16,11 @@ import { uninterrupted } from './interruption.ts'
 import { checkReplaced, isStdout, type ReplaceRules, targetOf } from './outputs.ts'
 
 /**
- * Writes all files or none: writes temporary files beside the targets, then renames them. Creates missing folders.
- * Signals do not interrupt it. Writes to stdout last.
+ * Writes all files or none. First it writes temporary files beside the targets, and then it renames them. Creates
+ * missing folders. Signals do not interrupt this function. Writes to stdout last.
  *
- * @param rules default: no output may overwrite a file that the command has read.
- * @throws FurrowError if a file cannot be written or would overwrite an input.
+ * @param rules exceptions from the rule that no output may overwrite a file that the command has read.
+ * @throws FurrowError if a file cannot be written, or would overwrite an input.
  */
 export async function writeAll(
   outputs: readonly OutputFile[],
@@ -68,7 +68,9 @@ function writeFiles(files: readonly (OutputFile & { target: string })[], who: st
   }
 }
 
-/** Writes a new folder atomically: fills a temporary folder beside the target, then renames it. */
+/**
+ * Writes a new folder atomically. First it fills a temporary folder beside the target, and then it renames that folder.
+ */
 export async function writeFolder(
   folder: string,
   outputs: readonly OutputFile[],
@@ -87,7 +89,7 @@ export async function writeFolder(
         target: join(temporary, path),
       }))
       writeFiles(files, who)
-      // rmdir removes only empty folders. If the target has files, it throws and nothing is lost.
+      // `rmdirSync` throws if the target is not empty, so no files are lost.
       if (existsSync(target)) rmdirSync(target)
       renameSync(temporary, target)
     } catch (error) {
@@ -97,7 +99,7 @@ export async function writeFolder(
   })
 }
 
-/** Creates a folder and its missing parents. `undo` removes the created folders. */
+/** Creates a folder and its missing parents. Appends to `undo` a function that removes them. */
 function makeFolder(folder: string, undo: (() => void)[]): void {
   const first = mkdirSync(folder, { recursive: true })
   if (first === undefined) return
@@ -112,7 +114,10 @@ function writeStdout(bytes: Uint8Array, who: string): Promise<void> {
   })
 }
 
-/** Returns a short temporary name, because the target's name may already have the maximum length. */
+/**
+ * Returns the path of a temporary file. Its name does not contain the name of the target, which may already have the
+ * maximum length.
+ */
 function temporaryPath(target: string): string {
   return join(dirname(target), `.furrow-${randomUUID()}.tmp`)
 }

@@ -1,15 +1,14 @@
 import { html, type Markup } from './markup.ts'
 
-/** Title and style of a page. */
 export interface PageHead {
   title: string
   style: Markup
 }
 
 /**
- * Returns a self-contained HTML page with the system's dark or light colour scheme.
+ * Returns a self-contained HTML page that follows the system's dark or light colour scheme.
  *
- * @param body content; each part ends with a line break.
+ * @param body content. Each part ends with a line break.
  * @param script module script, placed after the body.
  */
 export function htmlPage({ title, style }: PageHead, body: Markup, script?: Markup): string {

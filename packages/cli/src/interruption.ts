@@ -9,7 +9,7 @@ const SIGNALS = ['SIGHUP', 'SIGINT', 'SIGTERM'] as const
 const cleanUps = new Set<() => void>()
 
 /**
- * Runs `cleanUp` if a signal ends the process. Signal listeners exist only while a clean-up is registered. Without
+ * Calls `cleanUp` if a signal ends the process. Listens to signals only while a `cleanUp` is registered: without
  * listeners, a signal ends the process at once, even during a long computation.
  *
  * @param cleanUp synchronous function.
@@ -24,7 +24,10 @@ export function onInterruption(cleanUp: () => void): () => void {
   }
 }
 
-/** Runs synchronous work without interruption: a signal that arrives meanwhile ends the process afterwards. */
+/**
+ * Runs synchronous work that signals do not interrupt. A signal that arrives during the work ends the process
+ * afterwards.
+ */
 export async function uninterrupted<T>(work: () => T): Promise<T> {
   const unregister = onInterruption(() => {})
   try {
@@ -35,7 +38,7 @@ export async function uninterrupted<T>(work: () => T): Promise<T> {
   }
 }
 
-/** Creates a folder for temporary files. `remove`, or a signal that ends the process, deletes it. */
+/** Creates a folder for temporary files. The folder is deleted by `remove`, or by a signal that ends the process. */
 export function temporaryFolder(): { path: string; remove: () => Promise<void> } {
   let path: string | undefined
   const unregister = onInterruption(() => {
@@ -46,16 +49,20 @@ export function temporaryFolder(): { path: string; remove: () => Promise<void> }
   return {
     path,
     async remove() {
-      // A browser that was just closed may still write files.
+      // A browser may still write files shortly after it was closed.
       await rm(made, { recursive: true, force: true, maxRetries: 5 }).catch(() => {})
       unregister()
     },
   }
 }
 
-/** Exits like the signal's default action: a shell sees 130 for SIGINT, 143 for SIGTERM, and stops its loop. */
+/**
+ * Ends the process as the signal's default action would. So a shell script that runs the command in a loop sees the
+ * status 130 (SIGINT) or 143 (SIGTERM), and stops.
+ */
 function interrupt(signal: NodeJS.Signals): void {
-  // Runs after other listeners: Playwright kills the browser, which keeps its profile in a temporary folder.
+  // The clean-ups run after Playwright's listener, which kills the browser. A running browser would write more
+  // temporary files.
   process.once('exit', () => {
     for (const cleanUp of cleanUps) cleanUp()
     stopListening()

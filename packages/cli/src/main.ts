@@ -52,8 +52,8 @@ for (const command of [
 }
 
 /**
- * Prints the help of the named command. For an unknown command, `parse` throws an error with the nearest name.
- * Commander would print the general help for both.
+ * Prints the help of the command that follows `help`. If the command is unknown, `parse` throws an error with the most
+ * similar name. Commander would print the general help in both cases.
  */
 function helpOfCommand(): string {
   const name = program.args.find((text) => text !== 'help' && !text.startsWith('-'))
@@ -64,7 +64,7 @@ function helpOfCommand(): string {
 
 for (const stream of [process.stdout, process.stderr]) {
   stream.on('error', (error: NodeJS.ErrnoException) => {
-    // The reader, such as `head`, has closed the pipe.
+    // The reader of the pipe, such as `head`, has closed it.
     if (error.code === 'EPIPE') process.exit()
     warn(cannotWrite('furrow', 'to stdout', error).message)
     process.exit(1)
@@ -73,11 +73,11 @@ for (const stream of [process.stdout, process.stderr]) {
 
 try {
   const words = process.argv.slice(2).join(' ')
-  // Commander has no help for its `help` command.
+  // Commander has no help for its own `help` command.
   if (words === '' || words === 'help help') program.outputHelp()
   else await program.parseAsync()
 } catch (error) {
-  // Any other error is a bug and gets a stack trace.
+  // All other errors are bugs, so their stack trace is printed.
   if (error instanceof FurrowError) warn(error.message)
   else for (const line of inspect(error).split('\n')) warn(line)
   process.exitCode = 1

@@ -1,4 +1,4 @@
-/** Markup that is not escaped again. */
+/** HTML or SVG text that is already escaped. */
 export class Markup {
   readonly text: string
 
@@ -7,15 +7,15 @@ export class Markup {
   }
 }
 
-/** Value in a template: text is escaped, lists are joined, `undefined` is omitted. */
+/** Value in a template. Text is escaped, lists are joined, and `undefined` is omitted. */
 export type Content = Markup | string | number | undefined | readonly Content[]
 
-/** Template tag for HTML: escapes all values except `Markup`. */
+/** Template tag for HTML. Escapes all values except `Markup`. */
 export function html(parts: TemplateStringsArray, ...values: Content[]): Markup {
   return new Markup(String.raw({ raw: parts }, ...values.map(textOf)))
 }
 
-/** Escapes text for content and quoted attributes of HTML, XML and SVG. */
+/** Escapes text for the content and the quoted attributes of HTML, XML and SVG. */
 export function escapeMarkup(text: string): string {
   return text
     .replaceAll('&', '&amp;')

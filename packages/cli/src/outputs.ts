@@ -7,39 +7,41 @@ import { fileProblem, ignoreMissing, statOf, wasRead } from 'furrow-files/node'
 
 /** Rules for the output files of a command. */
 export interface OutputRules {
-  /** Allowed file extensions, default `.png`. */
+  /** Allowed file extensions. Default `.png`. */
   extensions?: readonly string[]
-  /** Files that the command reads. */
+  /** Paths of the files that the command reads. */
   inputs?: readonly string[]
   /** Whether an output may overwrite an input. Undefined for commands without `--force`. */
   force?: boolean | undefined
 }
 
-/** Outputs that may overwrite a file that the command has read, default none. */
+/** Outputs that may overwrite a file that the command has read. Default: none. */
 export interface ReplaceRules {
-  /** Outputs named by the user, which may overwrite inputs with `force`. Undefined for commands without `--force`. */
+  /** Outputs that the user has named. They may overwrite inputs if `force` is true. */
   named?: readonly (string | undefined)[]
   force?: boolean | undefined
   /** Outputs that may always overwrite inputs. */
   updated?: readonly string[]
 }
 
-/** Names of stdout. Never opened by name: as root, renaming a file to the name would replace the device. */
+/**
+ * Names of stdout. These paths are never opened or replaced: if the user is root, renaming a file to such a path would
+ * replace the device.
+ */
 const STDOUT = ['-', '/dev/stdout', '/dev/fd/1', '/proc/self/fd/1']
 
-/** Maximum length of a chain of links; longer chains are cycles. */
+/** Maximum number of symbolic links that are followed. A longer chain is a cycle. */
 const MAX_LINKS = 40
 
-/** Whether a path stands for stdout. */
 export function isStdout(path: string): boolean {
   return STDOUT.includes(path)
 }
 
 /**
- * Checks that all outputs can be written, differ from each other and are not inputs. Resolves symbolic and hard links.
- * Call it before any work is done.
+ * Checks that all outputs can be written, differ from each other, and are not inputs. Resolves symbolic and hard links.
+ * Call it before the command starts its work.
  *
- * @param paths output paths; undefined entries are skipped.
+ * @param paths paths of the outputs. Undefined entries are skipped.
  * @throws FurrowError for the first invalid output.
  */
 export async function checkOutputs(
@@ -61,15 +63,15 @@ export async function checkOutputs(
     })
   }
   if (force) return
-  // Missing inputs are reported when they are read.
+  // A missing input is reported when it is read.
   const read = await Promise.all(inputs.map((path) => identityOf(path).catch(() => path)))
   const overwriting = outputs.find((_, i) => read.includes(written[i]))
   if (overwriting !== undefined) throw overwritesInput(overwriting, who, force)
 }
 
 /**
- * Checks that no output overwrites a file that the command has read, directly or by reference. Runs for all outputs
- * just before they are written.
+ * Checks that no output overwrites a file that the command has read, directly or by reference. Call it just before the
+ * outputs are written.
  *
  * @throws FurrowError for the first output that would overwrite an input.
  */
@@ -85,7 +87,9 @@ export function checkReplaced(
   throw overwritesInput(overwriting, who, named.includes(overwriting) ? force : undefined)
 }
 
-/** Creates the error for an output that would overwrite an input; `force` as in `OutputRules`. */
+/**
+ * Creates the error for an output that would overwrite an input. `force` is undefined for commands without `--force`.
+ */
 function overwritesInput(path: string, who: string, force: boolean | undefined): FurrowError {
   return new FurrowError({
     code: 'unwritable',
@@ -96,7 +100,7 @@ function overwritesInput(path: string, who: string, force: boolean | undefined):
 }
 
 /**
- * Checks that a file can be written, without writing anything.
+ * Checks that a file can be written. Does not write to it.
  *
  * @param extensions allowed file extensions, case-insensitive.
  * @throws FurrowError if the file cannot be written.
@@ -133,7 +137,7 @@ export async function checkFolder(path: string, who: string): Promise<void> {
   throw cannotWrite(who, path, new Error('it is not a folder'), 'choose a folder')
 }
 
-/** Checks that a folder can be created or is empty. */
+/** Throws unless a path is an empty folder, or does not exist and can be created. */
 export async function checkNewFolder(path: string, who: string): Promise<void> {
   const found = await folderAt(path, who)
   if (!found) return
@@ -149,7 +153,10 @@ export async function checkNewFolder(path: string, who: string): Promise<void> {
   await checkFolder(dirname(await targetOf(path)), who)
 }
 
-/** Returns the status of a path, if it exists. Throws if the path or its parent folder cannot be written. */
+/**
+ * Returns the status of a path, if it exists. Throws if it is a folder without write permission, or if a folder could
+ * not be created there.
+ */
 async function folderAt(path: string, who: string): Promise<Stats | undefined> {
   if (isStdout(path)) {
     throw cannotWrite(who, 'a folder to stdout', new Error('stdout takes one file'), 'choose a folder')
@@ -164,7 +171,7 @@ async function folderAt(path: string, who: string): Promise<Stats | undefined> {
   }
 }
 
-/** Resolves links in a path, also links to files that do not exist yet. */
+/** Resolves symbolic links in a path. The file that a link points to need not exist. */
 export async function targetOf(path: string): Promise<string> {
   let target = resolve(path)
   for (let links = 0; links < MAX_LINKS; links++) {
@@ -175,7 +182,7 @@ export async function targetOf(path: string): Promise<string> {
   return realpath(path)
 }
 
-/** Returns a key of a file that is the same for all paths to the file. */
+/** Returns a key of a file. All paths to the same file have the same key. */
 async function identityOf(path: string): Promise<string> {
   if (isStdout(path)) return 'stdout'
   const target = await targetOf(path)
@@ -183,7 +190,7 @@ async function identityOf(path: string): Promise<string> {
   return found ? `${found.dev}:${found.ino}` : realPathOf(target)
 }
 
-/** Returns the real path of a file. Neither the file nor its folder has to exist. */
+/** Returns the path of a file without symbolic links. Neither the file nor its folder has to exist. */
 export async function realTarget(path: string): Promise<string> {
   return realPathOf(await targetOf(path))
 }
@@ -193,7 +200,6 @@ async function realPathOf(target: string): Promise<string> {
   return join(await realpath(folder), relative(folder, target))
 }
 
-/** Returns the folder, or its nearest existing ancestor. */
 async function nearestFolder(path: string): Promise<string> {
   const found = await statOf(path)
   if (found?.isDirectory()) return path
@@ -203,7 +209,7 @@ async function nearestFolder(path: string): Promise<string> {
   return nearestFolder(parent)
 }
 
-/** Returns a path as the user would write it: relative if that is shorter. */
+/** Returns a path for messages: relative to the current folder if that is shorter. */
 function displayPath(path: string): string {
   const relativePath = relative(process.cwd(), path)
   return relativePath.length < path.length ? relativePath : path

@@ -1,14 +1,13 @@
 import { isStdout } from './outputs.ts'
 
-/** Control and bidirectional characters: names with them could forge or hide output. */
+/** Control characters and bidirectional characters. Names with these characters could forge or hide output. */
 const UNSAFE = /[\p{Cc}\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069]/gu
 
-/** Escapes unsafe characters. JSON text keeps its value. */
+/** Escapes unsafe characters as `\uXXXX`. If the text is JSON, its value does not change. */
 export function escaped(text: string): string {
   return text.replace(UNSAFE, (found) => `\\u${found.charCodeAt(0).toString(16).padStart(4, '0')}`)
 }
 
-/** Output of a command: result lines and warnings. */
 export interface Printed {
   lines: string[]
   warnings: string[]
@@ -16,7 +15,7 @@ export interface Printed {
 
 let captured: Printed | undefined
 
-/** Runs a command and collects its output in `printed` instead of printing it. One command at a time. */
+/** Runs a command, and collects its output in `printed` without printing it. Only one command can run at a time. */
 export async function capturePrinted(printed: Printed, command: () => Promise<unknown>): Promise<void> {
   captured = printed
   try {
@@ -27,9 +26,10 @@ export async function capturePrinted(printed: Printed, command: () => Promise<un
 }
 
 /**
- * Prints the result of a command to stdout, or to stderr if one of its files is written to stdout.
+ * Prints the result of a command to stdout. If one of `files` is stdout, prints to stderr.
  *
- * @param lines result lines; line breaks in them are escaped.
+ * @param lines lines of the result. Line breaks in a line are escaped.
+ * @param files paths of the files that the command has written.
  */
 export function print(lines: string | readonly string[], ...files: readonly (string | undefined)[]): void {
   if (captured) return void captured.lines.push(...[lines].flat())
@@ -37,7 +37,6 @@ export function print(lines: string | readonly string[], ...files: readonly (str
   for (const line of [lines].flat()) stream.write(`${escaped(line)}\n`)
 }
 
-/** Prints a warning or an error to stderr, as one line. */
 export function warn(text: string): void {
   if (captured) return void captured.warnings.push(text)
   console.error(escaped(text))

@@ -2,13 +2,13 @@ import { SingleBar } from 'cli-progress'
 import type { Progress } from 'furrow-files'
 import { escaped } from './print.ts'
 
-/** Runs `work`, synchronous or not, with a progress bar on stderr. Without a terminal, shows nothing. */
+/** Runs `work`, synchronous or not, with a progress bar on stderr. The bar is shown only in a terminal. */
 export function withBar<T>(name: string, work: (progress: Progress) => T): T {
   const bar = new SingleBar({
     format: `${name} {bar} {step}`,
     stream: process.stderr,
     clearOnComplete: true,
-    // The default turns off line wrapping, and a signal would leave the terminal in that state.
+    // By default, the bar turns off line wrapping. If a signal then ended the process, wrapping would stay off.
     linewrap: true,
   })
   let started = false
@@ -19,7 +19,7 @@ export function withBar<T>(name: string, work: (progress: Progress) => T): T {
       if (!started) bar.start(total, 0, payload)
       started = true
       bar.update(done, payload)
-      // A long synchronous step would otherwise show the name of the previous step.
+      // Draws the bar at once. During a long synchronous step it would otherwise show the name of the previous step.
       if (step !== undefined && process.stderr.isTTY) bar.render()
     })
     if (!(result instanceof Promise)) return result

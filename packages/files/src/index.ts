@@ -49,7 +49,7 @@ export { inspectShapes, type ShapeReport } from './wrinkles/inspect-shapes.ts'
 export { MAP_SLOTS } from './wrinkles/map-slots.ts'
 export { partOfImage } from './wrinkles/shared-image.ts'
 export { type GpuSizes, kilobytes } from './wrinkles/sizes.ts'
-export { checkStrokes, layersOf, strokesBytes } from './wrinkles/strokes.ts'
+export { checkStrokes, layersOf, strokesBytes, strokesIn } from './wrinkles/strokes.ts'
 export { unpackWrinkles } from './wrinkles/unpack.ts'
 export {
   parseWrinkledFile,

@@ -5,11 +5,10 @@ import type { ProcessLimits } from './processes/process-pool.ts'
 
 const MB = 2 ** 20
 
-/** Default limits of a job, bytes and seconds. */
+/** Default limits of a job, in bytes and seconds. */
 const DEFAULT_MEMORY = 4096 * MB
 const DEFAULT_SECONDS = 600
 
-/** Options of the commands that run jobs on this machine. */
 export interface LimitOptions {
   jobs?: number
   memory?: number
@@ -22,7 +21,7 @@ export const LIMIT_OPTIONS: readonly Option[] = [
   ),
   new Option(
     '--memory <MB>',
-    `memory limit of a job, from 256 (default: up to ${DEFAULT_MEMORY / MB})`,
+    `memory limit of a job, at least 256 (default: equal shares, up to ${DEFAULT_MEMORY / MB})`,
   ).argParser(numberParser({ min: 256, max: 2 ** 20, unit: 'MB', integer: true })),
   new Option(
     '--timeout <seconds>',
@@ -30,13 +29,12 @@ export const LIMIT_OPTIONS: readonly Option[] = [
   ).argParser(numberParser({ min: 1, max: 86_400, unit: 'seconds' })),
 ]
 
-/** Returns the number of parallel jobs on this machine and the limits of each. */
 export function limitsOf({ jobs, memory, timeout }: LimitOptions): {
   concurrency: number
   limits: ProcessLimits
 } {
   const concurrency = jobs ?? availableParallelism()
-  // A container may have less than the machine. Without a limit, some systems report an enormous number.
+  // A container may have less memory than the machine. Some systems report a huge number if a container has no limit.
   const machine = Math.min(totalmem(), process.constrainedMemory() || totalmem())
   const share = Math.max(256 * MB, Math.floor(machine / concurrency))
   return {

@@ -1,6 +1,6 @@
 import { FurrowError } from 'furrow'
 
-/** Loads an optional peer dependency. Throws with install instructions if it is missing. */
+/** Loads an optional peer dependency. Throws an error with install instructions if it is missing. */
 export async function optionalPackage<T>(load: () => Promise<T>, names: string, use: string): Promise<T> {
   try {
     return await load()

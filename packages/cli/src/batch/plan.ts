@@ -14,35 +14,37 @@ import { isRemote, storeOf } from './stores/store-of.ts'
 
 const WHO = 'furrow batch'
 
-/** Number of files that are read in parallel. */
 const READ_AT_ONCE = 16
 
-/** A job and its identical inputs. The output of the first is copied for the others. */
+/**
+ * A job, and all inputs that have the same content and options. The job runs for the first input. Its output is copied
+ * for the other inputs.
+ */
 export interface Task {
   job: Job
   entries: readonly Pick<Entry, 'input' | 'output'>[]
 }
 
-/** Work of a batch. */
+/** Tasks that a batch has to run, and results that are already known. */
 export interface Plan {
   tasks: Task[]
   /** Results of inputs that cannot be read. */
   failed: ResultLine[]
-  /** Earlier results that are still valid. */
+  /** Results of an earlier run that are still valid. */
   kept: ResultLine[]
 }
 
-/** Settings of a plan. */
 export interface PlanSource {
   command: JobCommandName
-  /** Version of this package. */
   version: string
-  /** Earlier results; see `readResults`. */
+  /** Results of earlier runs by line id, see `readResults`. */
   earlier: ReadonlyMap<string, ResultLine>
   progress: (done: number) => void
 }
 
-/** Throws if two inputs have the same output, or an output is a file that the command reads. Resolves links. */
+/**
+ * Throws if two inputs have the same output, or if an output is a file that the command reads. Resolves symbolic links.
+ */
 export async function checkEntries(entries: readonly Entry[], command: JobCommandName): Promise<void> {
   const written = entries.filter(({ output }) => output !== undefined)
   if (written.length === 0) return
@@ -61,12 +63,13 @@ export async function checkEntries(entries: readonly Entry[], command: JobComman
         'set the outputs in a manifest, or select the inputs with a pattern',
       )
     }
-    if (inputs.has(key)) throw outputError('an output is an input', 'choose another output folder')
+    if (inputs.has(key))
+      throw outputError('an output is a file that the batch reads', 'choose another output folder')
     outputs.set(key, input)
   }
 }
 
-/** Returns all files that a command reads: inputs, files in options, and the files they reference. */
+/** Returns the paths of all files that the command reads: inputs, files in options, and files that these reference. */
 async function filesOfEntries(entries: readonly Entry[], command: JobCommandName): Promise<string[]> {
   const { reads, files } = JOB_COMMANDS[command]
   const faces = files.flatMap((name) => entries.map(({ options }) => String(options[name] ?? '')))
@@ -82,7 +85,7 @@ async function filesOfEntries(entries: readonly Entry[], command: JobCommandName
   return [...new Set(found.flat())]
 }
 
-/** Returns a key per address that is equal for paths to the same file. */
+/** Returns a key per address. All paths to the same file have the same key. */
 async function fileKeys(addresses: readonly string[]): Promise<string[]> {
   const keys = [...addresses]
   await runConcurrently(addresses, READ_AT_ONCE, async (address, i) => {
@@ -92,7 +95,7 @@ async function fileKeys(addresses: readonly string[]): Promise<string[]> {
   return keys
 }
 
-/** Identifies all inputs and plans the remaining work. */
+/** Identifies the content of all inputs, and decides which jobs have to run. */
 export async function makePlan(entries: readonly Entry[], source: PlanSource): Promise<Plan> {
   const { command, version, earlier, progress } = source
   const jobs = new Array<Job | undefined>(entries.length)
@@ -137,7 +140,9 @@ export async function makePlan(entries: readonly Entry[], source: PlanSource): P
   return plan
 }
 
-/** Replaces paths in options by content identities, because e.g. the file of `--face` can change. */
+/**
+ * Replaces file paths in options, e.g. in `--face`, with content identities, because a file can change between runs.
+ */
 async function contentOptions(
   command: JobCommandName,
   options: JobOptions,
@@ -154,8 +159,9 @@ async function contentOptions(
 }
 
 /**
- * Returns whether an earlier result is still valid: the output exists, or the input was invalid. Outputs are written
- * atomically, so comparing the size is enough.
+ * Returns whether an earlier result is still valid. A failure stays valid if an invalid input caused it. A success
+ * stays valid if the output still has the same size. Its content is not compared: outputs are written atomically, so an
+ * interruption leaves no partial output.
  */
 async function isStillValid({ status, kind, bytes }: ResultLine, { output }: Job): Promise<boolean> {
   if (status === 'failed') return kind === 'file'

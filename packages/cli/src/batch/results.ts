@@ -18,28 +18,28 @@ import { MAX_TEXT_LENGTH, parseOutcome } from './jobs/records.ts'
 
 const WHO = 'furrow batch'
 
-/** Maximum length of a line. A line can contain all findings of `furrow validate`. */
+/** Maximum length of a line, bytes. A line can contain all findings of `furrow validate`. */
 const MAX_LINE_BYTES = MAX_JSON_BYTES
 
-/** Line of the results: the outcome of an input. */
+/** Line of the results file: the result of one input. */
 export interface ResultLine extends Outcome {
-  /** Key of the job; absent if the input could not be read. */
+  /** Key of the job. Absent if the input could not be read. */
   key?: string
   command: string
   input: string
   output?: string
-  /** Identical input whose job produced this result. */
+  /** Another input with the same content, whose job produced this result. */
   sameAs?: string
 }
 
-/** Returns the id of a line. Of several lines with one id, the last is valid. */
+/** Returns the id of a result. If several lines of a file have the same id, the last line is valid. */
 export function lineId({ key, input, output }: Pick<ResultLine, 'key' | 'input' | 'output'>): string {
   return JSON.stringify([key, output ?? input])
 }
 
 /**
- * Reads a results file, if it exists. Skips incomplete lines of an interrupted batch. Skips invalid lines with one
- * warning.
+ * Reads the results file of an earlier run, if it exists. Skips incomplete lines, which an interrupted batch leaves.
+ * Skips invalid lines with one warning.
  *
  * @throws FurrowError if the file cannot be read.
  */
@@ -63,7 +63,7 @@ export function readResults(path: string): Map<string, ResultLine> {
   return results
 }
 
-/** Parses a line. Returns undefined for an incomplete line. Throws if the line is not a result. */
+/** Parses a line. Returns undefined if it is incomplete. Throws if it is JSON but not a result. */
 function parseLine(text: string): ResultLine | undefined {
   let json: unknown
   try {
@@ -74,7 +74,6 @@ function parseLine(text: string): ResultLine | undefined {
   return parseResult(json)
 }
 
-/** Reads a result; see `parseOutcome`. */
 function parseResult(json: unknown): ResultLine {
   const reader = new JsonReader('a result')
   const { key, command, input, output, sameAs } = reader.object(json, 'a result')
@@ -89,7 +88,7 @@ function parseResult(json: unknown): ResultLine {
   }
 }
 
-/** Yields the lines of a file, without lines that are too long. Yields nothing if the file does not exist. */
+/** Yields the lines of a file, except lines that are too long. Yields nothing if the file does not exist. */
 function* linesOf(path: string): Generator<string> {
   const file = withReadErrors(path, () => openRegular(path))
   if (file === undefined) return
@@ -102,7 +101,7 @@ function* linesOf(path: string): Generator<string> {
       for (const [i, piece] of pieces.entries()) {
         length += piece.length
         if (length <= MAX_LINE_BYTES) parts.push(Buffer.from(piece, 'latin1'))
-        // The last piece continues in the next chunk.
+        // The last part of a chunk continues in the next chunk.
         if (i === pieces.length - 1 && count > 0) break
         if (length <= MAX_LINE_BYTES) yield Buffer.concat(parts).toString()
         ;[parts, length] = [[], 0]
@@ -114,7 +113,7 @@ function* linesOf(path: string): Generator<string> {
   }
 }
 
-/** Opens a regular file, if it exists. Throws for other kinds, because opening a pipe would block. */
+/** Opens a file, if it exists. Throws if it is not a regular file, because opening a pipe would block. */
 function openRegular(path: string): number | undefined {
   const found = statSync(path, { throwIfNoEntry: false })
   if (!found) return undefined
@@ -131,7 +130,7 @@ function withReadErrors<T>(path: string, read: () => T): T {
   }
 }
 
-/** Opens a results file to append lines. Each line is written immediately, so that no result is lost. */
+/** Opens a results file to append lines. Each line is written immediately, so that an interruption loses no results. */
 export function openResults(path: string): { add(line: ResultLine): void; close(): void } {
   return withWriteErrors(path, () => {
     mkdirSync(dirname(path), { recursive: true })
@@ -139,7 +138,7 @@ export function openResults(path: string): { add(line: ResultLine): void; close(
     const { size } = fstatSync(file)
     const last = Buffer.alloc(1)
     if (size > 0) readSync(file, last, 0, 1, size - 1)
-    // Ends an incomplete last line.
+    // Ends the incomplete line that an interrupted batch left.
     if (size > 0 && last.toString() !== '\n') writeSync(file, '\n')
     const add = (line: ResultLine) => appendFileSync(file, `${JSON.stringify(line)}\n`)
     return {

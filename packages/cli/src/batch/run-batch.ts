@@ -17,7 +17,7 @@ import { type BatchCounts, countsOf, countsText, Rate } from './summary.ts'
 
 const WHO = 'furrow batch'
 
-/** Parsed batch. */
+/** Options and inputs of a batch, parsed and checked. */
 export interface Batch {
   command: JobCommandName
   entries: readonly Entry[]
@@ -25,11 +25,10 @@ export interface Batch {
   results: string
   /** Path of the HTML report. */
   page: string
-  /** Maximum number of thumbnails. */
   thumbnails: number
 }
 
-/** Runs a batch, or resumes it. */
+/** Runs a batch, or resumes it if the results file has results of an earlier run. */
 export async function runBatch(batch: Batch, engine: Engine): Promise<BatchCounts> {
   const plan = await planOf(batch)
   const lines = await runPlan(plan, batch, engine)

@@ -1,4 +1,7 @@
-/** Runs `work` for every item in order, at most `concurrency` at a time. Throws the first error after the running work ends. */
+/**
+ * Runs `work` for every item in order, at most `concurrency` at a time. After an error it starts no further work, waits
+ * for running work, and throws the first error.
+ */
 export async function runConcurrently<T>(
   items: readonly T[],
   concurrency: number,

@@ -5,13 +5,13 @@ import type { ResultLine } from './results.ts'
 import { withRetries } from './stores/retries.ts'
 import { storeOf } from './stores/store-of.ts'
 
-/** Runs jobs in any order and reports the outcome of each. */
+/** Runs jobs in any order. Calls `onOutcome` when a job has ended. */
 export type Engine = (
   jobs: readonly Job[],
   onOutcome: (job: Job, outcome: Outcome) => Promise<void>,
 ) => Promise<void>
 
-/** Runs all tasks. Calls `add` with the result lines of each task when it ends. */
+/** Runs all tasks. When a task ends, calls `add` with one result per input. */
 export async function runTasks(
   tasks: readonly Task[],
   engine: Engine,
@@ -33,7 +33,7 @@ export async function runTasks(
   )
 }
 
-/** Copies the output of a job for an identical input. */
+/** Copies the output of a job for another input with the same content. */
 async function copyFor(job: Job, output: string | undefined, outcome: Outcome): Promise<Outcome> {
   if (output === undefined || job.output === undefined || outcome.status === 'failed') return outcome
   try {

@@ -5,15 +5,15 @@ import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { onInterruption } from '../interruption.ts'
 
-/** Private folder for the files of one run. */
+/** Private temporary folder of a batch or a worker. */
 export interface Scratch {
   path: string
   remove(): void
 }
 
 /**
- * Source of the guard process: removes a folder when the process at the other end of stdin has ended, even by SIGKILL.
- * Removes it twice, because a job's process may end up to 100 ms later.
+ * Source code of the guard process. Its stdin closes when the parent process ends, even by SIGKILL. The guard then
+ * removes a folder. It does so twice, because a job's process can outlive the parent by 100 ms and write more files.
  */
 const GUARD = `process.stdin.resume().on('close', () => {
   for (const pause of [300, 2000]) {
@@ -23,9 +23,9 @@ const GUARD = `process.stdin.resume().on('close', () => {
 
 /**
  * Creates a folder with a random name that only this user can open. `remove` deletes the folder. If this process ends
- * in any other way, a guard process deletes it.
+ * without `remove`, a guard process deletes the folder.
  *
- * @param endsBySignal whether signals end this process; false if the caller handles them.
+ * @param endsBySignal whether signals end this process. False if the caller handles signals.
  */
 export function openScratch({ endsBySignal }: { endsBySignal: boolean }): Scratch {
   let clear = () => {}
@@ -46,13 +46,13 @@ export function openScratch({ endsBySignal }: { endsBySignal: boolean }): Scratc
 }
 
 function guard(path: string): () => void {
-  // Detached: terminal signals reach all processes of a group.
+  // The terminal sends signals to its whole process group. A detached process is in another group.
   const child = spawn(process.execPath, ['-e', GUARD, path], {
     detached: true,
     stdio: ['pipe', 'ignore', 'ignore'],
     windowsHide: true,
   })
-  // If the process cannot be started, the folder has no guard.
+  // If the guard cannot be started, the run continues without it.
   child.on('error', () => {})
   child.stdin.on('error', () => {})
   child.unref()

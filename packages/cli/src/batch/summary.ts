@@ -1,16 +1,15 @@
 import type { ResultLine } from './results.ts'
 
-/** Counts of a batch. */
 export interface BatchCounts {
   inputs: number
-  /** Inputs that succeeded, including earlier runs. */
+  /** Inputs that succeeded in this run or an earlier one. */
   done: number
   failed: number
   /** Inputs that succeeded with warnings. */
   warned: number
-  /** Results from an earlier run. */
+  /** Inputs whose result is from an earlier run. */
   kept: number
-  /** Inputs identical to another input. */
+  /** Inputs with the same content as another input. */
   shared: number
 }
 
@@ -37,7 +36,7 @@ export function countsText({ inputs, done, failed, warned, kept, shared }: Batch
   return parts.filter((part) => part !== false).join(', ')
 }
 
-/** Measures the rate of jobs, for the progress bar. */
+/** Formats the rate and the remaining time of a batch for the progress bar. */
 export class Rate {
   readonly #start: number
 
@@ -45,7 +44,7 @@ export class Rate {
     this.#start = now
   }
 
-  /** @param now time, milliseconds. */
+  /** @param now current time, milliseconds. */
   text(done: number, total: number, now: number): string {
     const seconds = (now - this.#start) / 1000
     if (done === 0 || seconds < 1) return ''

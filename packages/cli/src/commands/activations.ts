@@ -18,9 +18,8 @@ interface Options {
   json?: boolean
 }
 
-/** `furrow activations`: shows the activations of a pose. */
 export const activationsCommand = createCommand('activations')
-  .description('show area activations and what drives them')
+  .description('show the activation of each area and its drivers')
   .argument('<face>', 'face with wrinkles (.glb, .vrm, .gltf)')
   .option('--set <target=weight...>', 'blendshape weights, 0 to 1', parseWeight)
   .addOption(
@@ -34,7 +33,7 @@ export const activationsCommand = createCommand('activations')
     'after',
     `
 --set overrides the expression. Drivers that read joints or tension need an
-animated mesh and are listed without a value.
+animated mesh, so the command lists them without a value.
 
 Examples:
   $ furrow activations wrinkled.glb --set mouthSmileLeft=1 cheekSquintLeft=0.5
@@ -59,11 +58,17 @@ async function activations(path: string, options: Options): Promise<void> {
         areas: explanations,
         ...(others.length > 0 && { needMovingMesh: others }),
       })
-    : [...explanations.flatMap(describe), ...others.map((text) => `needs the moving mesh: ${text}`)]
+    : [
+        ...explanations.flatMap(describe),
+        ...others.map((text) => `not evaluated without an animated mesh: ${text}`),
+      ]
   print(lines)
 }
 
-/** Formats `0.620  nose`, then the contribution of each driver and link, largest first, without zeros. */
+/**
+ * Formats an area, e.g. `0.620 nose`, and below it the drivers and blendshapes that contribute, largest first. Omits
+ * contributions of 0.
+ */
 function describe({ area, activation, resting, parts }: Explanation): string[] {
   const lines = parts
     .filter((part) => part.activation > 0)

@@ -28,7 +28,6 @@ interface Options {
   json?: boolean
 }
 
-/** `furrow array`: packs images into a KTX 2 texture array, or extracts them. */
 export const arrayCommand = createCommand('array')
   .description('pack or extract a KTX 2 texture array')
   .argument('<files...>', 'images in layer order, or one .ktx2 with --extract')
@@ -36,14 +35,16 @@ export const arrayCommand = createCommand('array')
   .addOption(new Option('--extract <folder>', 'write each layer of an array as PNG').conflicts('output'))
   .option('--srgb', 'the images are sRGB colours (default: linear data)')
   .addOption(
-    new Option('--compress <kind>', 'none and zstd are lossless').choices(COMPRESSIONS).default('zstd'),
+    new Option('--compress <kind>', 'compression; none and zstd are lossless')
+      .choices(COMPRESSIONS)
+      .default('zstd'),
   )
   .option('--no-mipmaps', 'write no mipmaps (uastc and etc1s only)')
   .option('--json', 'print the result as JSON')
   .addHelpText(
     'after',
     `
-uastc and etc1s stay compressed on the GPU.
+Arrays in uastc and etc1s stay compressed on the GPU.
 
 Examples:
   $ furrow array layers/*.png -o layers.ktx2 --compress uastc
@@ -51,7 +52,6 @@ Examples:
   )
   .action(packOrExtract)
 
-/** A packed or extracted array. */
 type Result = NamedArray & { file: string; compression: Compression; bytes: number; gpuBytes?: number }
 
 async function packOrExtract(files: string[], options: Options): Promise<void> {
@@ -117,8 +117,8 @@ async function readArrayFile(path: string) {
 }
 
 /**
- * Returns the size on the GPU, bytes. UASTC is transcoded to ASTC 4x4 or BC7, 16 bytes per block of 4 x 4 texels;
- * ETC1S to ETC1 or BC1, 8 bytes per block.
+ * Returns the size of an array on the GPU, bytes. UASTC is transcoded to ASTC 4x4 or BC7, with 16 bytes per block of 4
+ * x 4 texels. ETC1S is transcoded to ETC1 or BC1, with 8 bytes per block.
  */
 function sizeOnGpu(array: NamedArray, compression: Compression, mipmaps: boolean): number {
   const { width, height, channels, layers } = array

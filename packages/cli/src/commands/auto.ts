@@ -2,7 +2,7 @@ import { join } from 'node:path'
 import { Option } from 'commander'
 import { FurrowError } from 'furrow'
 import { AUTO_DEFAULTS, AUTO_REGIONS, type AutoRegion, autoWrinkles } from 'furrow/author'
-import { AUTO_STEPS, strokesOf, WRINKLE_MAPS } from 'furrow/internal'
+import { AUTO_STEPS, BULGES_FROM, strokesOf, WRINKLE_MAPS } from 'furrow/internal'
 import {
   addNormals,
   checkBasisSize,
@@ -20,6 +20,7 @@ import {
   parseWrinkledFile,
   shadingOf,
   stripWrinkles,
+  strokesIn,
   withCommandErrors,
 } from 'furrow-files'
 import { FACE_EXTENSIONS, packAuto, readGlbFile } from 'furrow-files/node'
@@ -38,13 +39,13 @@ const WHO = 'furrow auto'
 
 const SIZES = ['512', '1024', '2048', '4096'] as const
 
-/** Progress steps besides those of `autoWrinkles`: reading, encoding, writing. The report adds maps and pictures. */
+/** Number of progress steps before and after `autoWrinkles`: read, encode, write. A report adds `REPORT_STEPS`. */
 const OWN_STEPS = 3
 const REPORT_STEPS = 2
 
 const WITHOUT_NORMALS = 'the mesh has no normals; smooth normals were added, because wrinkles need them'
 
-/** Default maximum number of layers with `--ktx2`. Two layers of 1024 x 1024 texels take 2 MB. */
+/** Default maximum number of layers with lines, with `--ktx2`. Two layers of 1024 x 1024 texels take 2 MB in the file. */
 const KTX2_LAYERS = 2
 
 interface Options {
@@ -52,7 +53,8 @@ interface Options {
   age?: number
   strength: number
   size: (typeof SIZES)[number]
-  seed: number
+  seed?: number
+  symmetry: number
   mesh?: string
   layers?: number
   areas: number
@@ -69,36 +71,45 @@ interface Options {
 
 const years = numberParser({ min: 20, max: 80, unit: 'years' })
 const factor = numberParser({ min: 0, max: 2 })
+const fraction = numberParser({ min: 0, max: 1 })
 const count = (min: number, max: number) => numberParser({ min, max, integer: true })
 
-/** `furrow auto`: generates wrinkles from the blendshapes of a face. */
 export const autoCommand = createCommand('auto')
   .description('generate wrinkles from the blendshapes of a face')
   .argument('<face>', 'face with blendshapes (.glb, .vrm, .gltf)')
   .requiredOption('-o, --output <file>', 'face with wrinkles (.glb, .vrm, .gltf)')
-  .option('--age <years>', `20 to 80; if set, ages the neutral face (default: ${AUTO_DEFAULTS.age})`, years)
+  .option(
+    '--age <years>',
+    `age, 20 to 80; also ages the neutral face if given, with bulges from ${BULGES_FROM} on (default: ${AUTO_DEFAULTS.age})`,
+    years,
+  )
   .option('--strength <factor>', 'scale of line depth and blood, 0 to 2', factor, AUTO_DEFAULTS.strength)
   .addOption(
     new Option('--size <texels>', 'size of the maps').choices(SIZES).default(String(AUTO_DEFAULTS.size)),
   )
   .option(
     '--seed <number>',
-    'integer seed; same seed, same output',
+    'integer seed; same seed, same lines (default: from the file, or else from the proportions of the face)',
     count(0, 2 ** 31 - 1),
-    AUTO_DEFAULTS.seed,
+  )
+  .option(
+    '--symmetry <fraction>',
+    'how much the right side mirrors the left, 0 (as in people) to 1',
+    fraction,
+    AUTO_DEFAULTS.symmetry,
   )
   .option('--mesh <name>', 'mesh to wrinkle (default: detected from its blendshapes)')
   .option(
     '--layers <count>',
-    `maximum, 1 to 4 (default: ${AUTO_DEFAULTS.layers}; with --ktx2 ${KTX2_LAYERS} or ${KTX2_LAYERS + 1})`,
+    `maximum number of layers, 1 to 4 (default: ${AUTO_DEFAULTS.layers}; with --ktx2: ${KTX2_LAYERS}, plus 1 with --furrows, plus 1 with --age over ${BULGES_FROM})`,
     count(1, 4),
   )
-  .option('--areas <count>', 'maximum of areas with lines, 1 to 64', count(1, 64), AUTO_DEFAULTS.areas)
-  .addOption(new Option('--regions <names...>', 'regions to wrinkle, default all').choices(AUTO_REGIONS))
+  .option('--areas <count>', 'maximum number of areas with lines, 1 to 64', count(1, 64), AUTO_DEFAULTS.areas)
+  .addOption(new Option('--regions <names...>', 'regions to wrinkle, all by default').choices(AUTO_REGIONS))
   .option('--furrows', 'add a layer of fine skin furrows; needs a large --size')
   .option('--ktx2', 'write maps and areas as KTX 2 (UASTC); heights stay PNG')
   .option('--replace', 'replace existing wrinkles')
-  .option('--strokes <file>', 'also write the strokes to a file (.json)')
+  .option('--strokes <file>', 'also write the wrinkle lines as strokes (.json)')
   .option('--report <folder>', 'also write an HTML report')
   .addOption(allowOutsideOption())
   .addOption(forceOption())
@@ -120,18 +131,19 @@ async function auto(face: string, options: Options): Promise<void> {
     mesh,
     age,
     strength,
-    seed,
+    symmetry,
     areas,
     regions,
     furrows = false,
     ktx2 = false,
   } = options
-  const layers = options.layers ?? (ktx2 ? KTX2_LAYERS + (furrows ? 1 : 0) : AUTO_DEFAULTS.layers)
+  const others = [furrows, age !== undefined && age > BULGES_FROM].filter(Boolean).length
+  const layers = options.layers ?? (ktx2 ? KTX2_LAYERS + others : AUTO_DEFAULTS.layers)
   const settings = {
     ...(age !== undefined && { age }),
     strength,
+    symmetry,
     size: Number(options.size),
-    seed,
     layers,
     areas,
     furrows,
@@ -156,15 +168,20 @@ async function auto(face: string, options: Options): Promise<void> {
     const document = await documentOf(glb, face, WHO)
     const found = findSkin(document, face, WHO, mesh, (i) => shadingOf(glb.json, i) !== 'unlit')
     const { corrections, problem } = correctionsIn(glb.json, found.material, 'a correction is left out')
+    const seed = options.seed ?? seedIn(glb, found)
     removeOldWrinkles(glb, found, options.replace ?? false)
     const skinWarnings = problem === undefined ? [] : [problem]
     if (addNormals(glb, document, found.mesh) > 0) skinWarnings.push(WITHOUT_NORMALS)
     skinWarnings.push(...faceWarnings(glb.json, found, found.materialName, WHO))
     const frame = found.hasTangents ? 'orthonormal' : 'derivative'
     const wrinkles = withCommandErrors(WHO, () =>
-      autoWrinkles(found.skin, { ...settings, frame }, (done, count, step) => {
-        if (done < count) steps.at(step, done % 1)
-      }),
+      autoWrinkles(
+        found.skin,
+        { ...settings, ...(seed !== undefined && { seed }), frame },
+        (done, count, step) => {
+          if (done < count) steps.at(step, done % 1)
+        },
+      ),
     )
     if (wrinkles.emptyReason !== undefined) throw noWrinkles(wrinkles.emptyReason, found.meshName)
     steps.begin('encoding')
@@ -179,6 +196,7 @@ async function auto(face: string, options: Options): Promise<void> {
       const listed = {
         age: AUTO_DEFAULTS.age,
         ...settings,
+        seed: wrinkles.seed,
         furrows: furrows ? 'yes' : 'no',
         regions: regions?.join(', ') ?? 'all',
       }
@@ -201,7 +219,7 @@ async function auto(face: string, options: Options): Promise<void> {
   )
 }
 
-/** Throws early if `layers` maps of this size would exceed the encoder's limit. */
+/** Throws early if maps of this size and number would exceed the limit of the KTX 2 encoder. */
 function checkCompressible(size: number, layers: number): void {
   const names = Array.from({ length: layers }, (_, i) => `layer ${i + 1}`)
   const maps = {
@@ -217,7 +235,18 @@ function checkCompressible(size: number, layers: number): void {
 
 const NO_PIXELS = new Uint8Array()
 
-/** Removes existing wrinkles if `replace` is set; otherwise throws if there are any. A material has one set. */
+/** Returns the random seed that is stored with the wrinkles of a material. Wrinkles that are not valid have none. */
+function seedIn(glb: Glb, { material }: FoundSkin): number | undefined {
+  if (glb.json.materials![material].extensions?.[WRINKLE_MAPS] === undefined) return undefined
+  try {
+    return strokesIn(parseWrinkledFile(glb, material, WHO), WHO).strokes?.seed
+  } catch (error) {
+    if (error instanceof FurrowError) return undefined
+    throw error
+  }
+}
+
+/** Removes existing wrinkles from a material if `replace` is true. Otherwise throws if the material has wrinkles. */
 function removeOldWrinkles(glb: Glb, { material, materialName }: FoundSkin, replace: boolean): void {
   if (glb.json.materials![material].extensions?.[WRINKLE_MAPS] === undefined) return
   if (replace) {

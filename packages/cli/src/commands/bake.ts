@@ -24,7 +24,7 @@ import { withBar } from '../progress.ts'
 
 const WHO = 'furrow bake'
 
-/** Default occlusion rays per sample; with four samples, 32 per texel. */
+/** Default occlusion rays per sample. A texel has four samples by default, so it gets 32 rays. */
 const DEFAULT_RAYS = 8
 
 interface Options {
@@ -49,15 +49,14 @@ interface Options {
 const millimetres = numberParser({ min: 0.001, max: 100_000, unit: 'mm' })
 const count = (min: number, max: number) => numberParser({ min, max, integer: true })
 
-/** `furrow bake`: bakes a high-poly sculpt into maps of a low-poly mesh. */
 export const bakeCommand = createCommand('bake')
   .description('bake a high-poly sculpt into texture maps')
-  .argument('<high>', 'high-poly sculpt, all meshes (.glb, .vrm, .gltf)')
+  .argument('<high>', 'high-poly sculpt, one or more meshes (.glb, .vrm, .gltf)')
   .argument('<low>', 'low-poly mesh with UVs and normals (.glb, .vrm, .gltf)')
   .option('-o, --output <file>', 'write the tangent-space normal map (.png)')
-  .option('--height <file>', 'write heights above the low mesh, 16-bit gray PNG')
+  .option('--height <file>', 'write heights above the low-poly mesh, 16-bit gray PNG')
   .option('--occlusion <file>', 'write ambient occlusion, 8-bit gray PNG')
-  .option('--mesh <name>', 'mesh in the low file (default: "skin", or detected)')
+  .option('--mesh <name>', 'low-poly mesh to bake to (default: "skin", or detected)')
   .option(
     '--size <texels>',
     `size of the maps, 16 to ${MAX_IMAGE_SIDE}`,
@@ -66,7 +65,7 @@ export const bakeCommand = createCommand('bake')
   )
   .option(
     '--cage <mm>',
-    `maximum distance of the sculpt (default: ${100 * DEFAULT_CAGE}% of the mesh)`,
+    `maximum distance from mesh to sculpt (default: ${100 * DEFAULT_CAGE}% of the mesh diagonal)`,
     millimetres,
   )
   .addOption(
@@ -75,7 +74,7 @@ export const bakeCommand = createCommand('bake')
       .default(String(BAKE_DEFAULTS.samples)),
   )
   .addOption(
-    new Option('--tangents <kind>', 'for a mesh without tangents')
+    new Option('--tangents <kind>', 'method for tangents that the mesh lacks')
       .choices(['mikktspace', 'derivative'])
       .default('mikktspace'),
   )
@@ -97,8 +96,8 @@ export const bakeCommand = createCommand('bake')
   .addHelpText(
     'after',
     `
-At least one of -o, --height and --occlusion is required. For a mesh without
-tangents, three.js uses --tangents derivative.
+At least one of -o, --height and --occlusion is required. three.js computes
+missing tangents like --tangents derivative.
 
 Examples:
   $ furrow bake sculpt.glb face.glb -o normal.png
@@ -151,7 +150,6 @@ function settingsOf(options: Options): Omit<BakeOptions, 'cage'> {
   }
 }
 
-/** Returns the paths of the maps to write. Throws if there are none. */
 function outputsOf({ output, height, occlusion }: Options): string[] {
   const paths = [output, height, occlusion].filter((path) => path !== undefined)
   if (paths.length === 0) {
@@ -195,7 +193,7 @@ function printSummary(baked: BakedMaps, summary: Summary, options: Options): voi
     ? JSON.stringify(summary)
     : [
         `${files.join(', ')}: ${size} x ${size}, ${triangles.high} triangles onto ${triangles.low} of ${mesh}, cage ${cageMm} mm, ${(milliseconds / 1000).toFixed(1)} s`,
-        `tangents ${tangents === 'of the mesh' ? tangents : `by ${tangents}`}; ${misses} of ${samples} rays missed (${((100 * misses) / samples).toFixed(2)}%), ${emptyTexels} texels without a hit`,
+        `tangents ${tangents === 'of the mesh' ? tangents : `by ${tangents}`}; ${misses} of ${samples} rays missed (${((100 * misses) / samples).toFixed(2)}%), ${emptyTexels} texels had no hit`,
         ...(options.height
           ? [`${options.height}: ${HEIGHT_ZERO} = 0 mm, ${HEIGHT_STEPS_PER_MM} steps = 1 mm`]
           : []),

@@ -26,7 +26,7 @@ import { print } from '../print.ts'
 
 const WHO = 'furrow inspect'
 
-/** Maximum number of blendshapes listed by name per mesh. */
+/** Maximum number of blendshape names per mesh in the printed list. */
 const NAMES_LISTED = 4
 
 interface Options {
@@ -36,7 +36,6 @@ interface Options {
   json?: boolean
 }
 
-/** `furrow inspect`: shows the wrinkles of a face. */
 export const inspectCommand = createCommand('inspect')
   .description('show layers, areas, drivers and memory use')
   .argument('<face>', 'face with or without wrinkles (.glb, .vrm, .gltf)')
@@ -47,9 +46,9 @@ export const inspectCommand = createCommand('inspect')
   .addHelpText(
     'after',
     `
-Blendshapes are matched to ARKit shapes by corrections in the file, then by
-motion; names are a hint. For a face without wrinkles, the command lists its
-meshes and says whether furrow auto applies; --sheet draws the UV layout.
+The command shows which ARKit shape each blendshape is. It uses corrections in
+the file, otherwise motion and names. For a face without wrinkles, it lists the
+meshes and the next command to add wrinkles, and --sheet draws the UV layout.
 
 GPU sizes include mipmaps for maps, but not for areas. 1 kB is 1024 bytes.
 
@@ -78,7 +77,6 @@ async function inspect(path: string, options: Options): Promise<void> {
   print(json || sheet === undefined ? lines : [...lines, '', `${sheet}: all maps and areas`], sheet)
 }
 
-/** Inspects a face without wrinkles. */
 async function inspectFace(path: string, glb: Glb, { sheet, json }: Options): Promise<void> {
   const { report, skin } = inspectPlain(glb, await documentOf(glb, path, WHO), path)
   if (sheet !== undefined) {
@@ -122,7 +120,6 @@ const EVIDENCE: Record<ShapeReport['by'], string> = {
   none: '',
 }
 
-/** Returns the lines of the table of recognised blendshapes. */
 function shapeTable(shapes: readonly ShapeReport[]): string[] {
   return table(
     ['blendshape', 'shape', 'confidence', 'by'],
@@ -162,7 +159,7 @@ function describe(path: string, report: Inspection, shapes: readonly ShapeReport
     ),
     '',
     ...table(
-      ['area', 'layer', 'size', 'image', 'overlap', 'at rest', 'covers', 'at most'],
+      ['area', 'layer', 'size', 'image', 'overlap', 'at rest', 'coverage', 'largest weight'],
       areas.map((area) => [
         area.name,
         area.layer,
@@ -181,10 +178,11 @@ function describe(path: string, report: Inspection, shapes: readonly ShapeReport
     ...(presets.length === 0 ? [] : [...presets.map(describeDriver), '']),
     ...(shapes.length === 0 ? [] : [...shapeTable(shapes), '']),
     ...(strokes.count === 0 ? [] : [`strokes: ${strokes.count}`]),
-    `in the file: ${kilobytes(imageBytes + strokes.bytes)} of ${kilobytes(fileBytes)}`,
-    `on the GPU: ${kilobytes(gpu.uncompressed)} uncompressed, ${kilobytes(gpu.bits8)} with maps as BC7 or ASTC 4x4,` +
-      ` ${kilobytes(gpu.bits4)} as BC1 or ETC1 (areas as BC4; those of an array as BC7 or ASTC 4x4);` +
-      ` and ${kilobytes(report.influenceMapBytes)} for the influence map of each face`,
+    `wrinkles in the file: ${kilobytes(imageBytes + strokes.bytes)} of ${kilobytes(fileBytes)}`,
+    `wrinkles on the GPU: ${kilobytes(gpu.uncompressed)} uncompressed, ${kilobytes(gpu.bits8)} with maps as BC7 or ASTC 4x4,` +
+      ` ${kilobytes(gpu.bits4)} with maps as BC1 or ETC1`,
+    '  compressed areas are BC4, or BC7 or ASTC 4x4 if the file stores them as a KTX 2 array',
+    `  each face on the page takes another ${kilobytes(report.influenceMapBytes)} for its influence map`,
   ]
 }
 
@@ -192,7 +190,6 @@ const GPU_HEADS = ['on the GPU', 'BC7, ASTC', 'BC1, ETC1']
 
 const gpuCells = ({ uncompressed, bits8, bits4 }: GpuSizes) => [uncompressed, bits8, bits4].map(kilobytes)
 
-/** Returns the lines of a table with aligned columns. */
 function table(heads: string[], rows: string[][]): string[] {
   const all = [heads, ...rows]
   const widths = heads.map((_, i) => Math.max(...all.map((row) => row[i].length)))

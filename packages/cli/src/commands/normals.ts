@@ -13,11 +13,11 @@ const WHO = 'furrow normals'
 
 interface Options extends Required<Pick<BumpOptions, 'green' | 'edges'>> {
   output: string
-  /** Millimetres. */
+  /** Height of white above black, millimetres. */
   depth?: number
-  /** Millimetres. */
+  /** Width of the image on the surface, millimetres. */
   width?: number
-  /** Texels. */
+  /** Height of white above black, texels. */
   strength?: number
   bits: '8' | '16'
   force?: boolean
@@ -26,7 +26,6 @@ interface Options extends Required<Pick<BumpOptions, 'green' | 'edges'>> {
 
 const millimetres = numberParser({ min: 1e-6, max: 1e6, unit: 'mm' })
 
-/** `furrow normals`: converts a height map to a normal map. */
 export const normalsCommand = createCommand('normals')
   .description('convert a height map to a normal map')
   .argument('<height>', 'height map, white = high (8- or 16-bit gray PNG or TIFF)')
@@ -34,7 +33,7 @@ export const normalsCommand = createCommand('normals')
   .option('--depth <mm>', 'height of white above black', millimetres)
   .option('--width <mm>', 'width of the image', millimetres)
   .addOption(
-    new Option('--strength <texels>', 'depth in texels, instead of --depth and --width')
+    new Option('--strength <texels>', 'height of white above black, in texels')
       .argParser(numberParser({ min: -1e5, max: 1e5, unit: 'texels' }))
       .conflicts(['depth', 'width']),
   )
@@ -56,7 +55,7 @@ export const normalsCommand = createCommand('normals')
   .addHelpText(
     'after',
     `
-Either --depth with --width, or --strength is required.
+Give either --strength, or both --depth and --width.
 
 Examples:
   $ furrow normals height.png -o normal.png --depth 2.5 --width 180
@@ -84,7 +83,7 @@ async function makeNormals(path: string, options: Options): Promise<void> {
   }
 }
 
-/** Returns a function from the image's width in texels to the height of white above black, in texels. */
+/** Returns a function that converts the width of the image in texels to the height of white above black in texels. */
 function heightRangeOf({ depth, width, strength }: Options): (texels: number) => number {
   if (strength !== undefined) return () => strength
   if (depth !== undefined && width !== undefined) return (texels) => (depth * texels) / width
@@ -97,7 +96,7 @@ function heightRangeOf({ depth, width, strength }: Options): (texels: number) =>
   })
 }
 
-/** Returns heights in texels; `range` is the height of white above black. */
+/** Converts the values of a height map to heights in texels. `range` is the height of white above black. */
 function inTexels({ data, bits }: HeightImage, range: number): Float32Array {
   const scale = range / (2 ** bits - 1)
   const texels = new Float32Array(data.length)
@@ -105,7 +104,7 @@ function inTexels({ data, bits }: HeightImage, range: number): Float32Array {
   return texels
 }
 
-/** Returns the largest angle between a normal and +z, in degrees. */
+/** Returns the steepest slope of a normal map: the largest angle between a normal and +z, in degrees. */
 function steepestSlope({ data }: NormalMap, bits: 8 | 16): number {
   let smallestZ = 1
   for (let i = 2; i < data.length; i += 3)

@@ -41,7 +41,6 @@ interface Options {
 
 const imageSide = numberParser({ min: 2, max: MAX_IMAGE_SIDE, unit: 'texels', integer: true })
 
-/** `furrow pack`: adds the wrinkles in a folder to a face. */
 export const packCommand = createCommand('pack')
   .description('add the wrinkles in a folder of images to a face')
   .argument('<folder>', 'folder with layers and areas; see below')
@@ -49,10 +48,10 @@ export const packCommand = createCommand('pack')
   .option('--face <file>', 'input face (default: face.glb in the folder)')
   .option('--mesh <name>', 'target mesh (default: from wrinkles.json, or detected)')
   .option('--material <name>', 'target material (default: detected)')
-  .option('--white-is-visible', 'read areas as white = visible (default: black)')
+  .option('--white-is-visible', 'white means visible in areas (default: black)')
   .option(
     '--area-size <texels>',
-    `2 to ${MAX_IMAGE_SIDE} (default: from wrinkles.json, or ${DEFAULT_AREA_SIZE})`,
+    `size of areas, 2 to ${MAX_IMAGE_SIDE} (default: from wrinkles.json, or ${DEFAULT_AREA_SIZE})`,
     imageSide,
   )
   .addOption(
@@ -74,8 +73,8 @@ face.glb, wrinkles.json and strokes.json. A layer can also have baseColor.png,
 roughness.png, occlusion.png, height.png and blood.png; height.png and blood.png
 need an amplitude in wrinkles.json.
 
---share 4: many image tools discard colours where alpha is 0, so do not process
-the file with one afterwards.
+After --share 4, do not process the file with image tools. Many of them discard
+colours where alpha is 0.
 
 Examples:
   $ furrow pack my-face -o wrinkled.glb
@@ -130,7 +129,7 @@ async function pack(folder: string, options: Options): Promise<void> {
   print(options.json ? JSON.stringify(result) : describe(result), output)
 }
 
-/** Throws if the folder has no `face.glb`; used when `--face` is not given. */
+/** Throws if the folder has no `face.glb`. Only called without `--face`. */
 async function checkOwnFace(face: string): Promise<void> {
   if (await statOf(face)) return
   throw cannotRead(WHO, `the face ${face}`, new Error('it does not exist'), {
@@ -148,7 +147,7 @@ interface Result {
   drivers: number
   strokes: number
   bytes: number
-  /** Size of the wrinkles' images and strokes, bytes. */
+  /** Size of the images and strokes that the command has added, bytes. */
   added: number
   /** Number of blendshapes that got normals. */
   morphNormals: number
@@ -163,7 +162,7 @@ function describe(result: Result): string {
   return `${file}: material "${material ?? ''}"; ${names}; drivers: ${drivers}; ${lines}${size}${normals}`
 }
 
-/** Returns the total size of all distinct images, in bytes. */
+/** Returns the total size of all images in bytes. A shared image counts once. */
 function imageBytes({ layers, areas }: PackedSet): number {
   const maps = layers.flatMap(({ normal, baseColor, roughness, occlusion, height, blood }) => {
     return [normal, baseColor, roughness, occlusion, height, blood]

@@ -35,12 +35,11 @@ interface Options
   json?: boolean
 }
 
-/** `furrow render`: renders a face to an image. */
 export const renderCommand = createCommand('render')
   .description('render a face with wrinkles to an image')
   .argument('<face>', 'face (.glb, .vrm, .gltf)')
   .requiredOption('-o, --output <file>', 'image (.png)')
-  .option('--wrinkles <file>', 'wrinkle set to use (default: from the face)')
+  .option('--wrinkles <file>', 'wrinkles.json to use (default: wrinkles in the face)')
   .option('--mesh <name>', 'mesh with wrinkles (default: "skin" or largest)')
   .addOption(
     new Option('--expression <name>', 'expression to apply').choices(EXPRESSIONS.map(({ name }) => name)),
@@ -56,9 +55,13 @@ export const renderCommand = createCommand('render')
   .addOption(
     new Option('--renderer <name>', 'renderer').choices(RENDERER_NAMES).default(PICTURE_DEFAULTS.renderer),
   )
-  .addOption(new Option('--mode <name>', 'wrinkle mode').choices(MODE_NAMES).default(PICTURE_DEFAULTS.mode))
   .addOption(
-    new Option('--relief <when>', 'displace the surface; near: close views only')
+    new Option('--mode <name>', 'shading of wrinkles; off hides them')
+      .choices(MODE_NAMES)
+      .default(PICTURE_DEFAULTS.mode),
+  )
+  .addOption(
+    new Option('--relief <when>', 'displace the surface; near: only in close views')
       .choices(RELIEF_NAMES)
       .default(PICTURE_DEFAULTS.relief),
   )
@@ -67,9 +70,10 @@ export const renderCommand = createCommand('render')
   .addHelpText(
     'after',
     `
---set and --activation override the expression. With --set alone, the drivers of
-the file set the activations. "left" and "right" are the character's own. If
-NAME.glb has no wrinkles, NAME/wrinkles.json is used.
+--set and --activation override the expression. Without --activation, the
+drivers of the file set the activations. "left" and "right" are sides of the
+character, not of the image. If NAME.glb has no wrinkles, the command uses
+NAME/wrinkles.json.
 
 Examples:
   $ furrow render wrinkled.glb -o surprised.png --expression surprised

@@ -28,19 +28,18 @@ interface Options extends DrawOptions {
   force?: boolean
 }
 
-/** `furrow strokes`: draws a strokes document into maps. */
 export const strokesCommand = createCommand('strokes')
-  .description('draw strokes into maps and areas')
+  .description('draw wrinkle lines (strokes) into maps')
   .argument('<strokes>', 'strokes document (.json)')
   .requiredOption('--face <file>', 'face to draw on (.glb, .vrm, .gltf)')
   .option('--mesh <name>', 'mesh to draw on (default: "skin", or detected)')
-  .option('--base <image>', 'normal map under the strokes (default: from the mesh)')
-  .addOption(new Option('--detail', 'draw without a base, for a "detail" layer').conflicts('base'))
+  .option('--base <image>', 'normal map to draw over (default: that of the mesh)')
+  .addOption(new Option('--detail', 'draw over a flat normal map, for a "detail" layer').conflicts('base'))
   .option('-o, --output <file>', 'write the height map, 16-bit gray PNG')
   .option('--normal <file>', 'write the normal map, 8-bit RGB PNG')
   .option('--areas <folder>', 'write one gray PNG per area, black = visible')
   .addOption(
-    new Option('--into <folder>', 'write all maps and areas to a folder for furrow pack').conflicts([
+    new Option('--into <folder>', 'write all maps and areas to a folder that furrow pack reads').conflicts([
       'base',
       'detail',
     ]),
@@ -48,7 +47,7 @@ export const strokesCommand = createCommand('strokes')
   .option('--layer <name>', 'draw only this layer (default: all)')
   .option(
     '--size <texels>',
-    `16 to ${MAX_IMAGE_SIDE} (default: from the document or base, or ${DEFAULT_SIZE})`,
+    `size of the maps, 16 to ${MAX_IMAGE_SIDE} (default: from the document or base, or ${DEFAULT_SIZE})`,
     numberParser({ min: 16, max: MAX_IMAGE_SIDE, unit: 'texels', integer: true }),
   )
   .addOption(allowOutsideOption())
@@ -56,8 +55,8 @@ export const strokesCommand = createCommand('strokes')
   .addHelpText(
     'after',
     `
-At least one of -o, --normal, --areas and --into is required. The document is
-described in docs/strokes-format.md.
+At least one of -o, --normal, --areas and --into is required.
+docs/strokes-format.md describes the document.
 
 Examples:
   $ furrow strokes scars.json --face avatar.glb --normal n.png --areas areas
@@ -86,7 +85,7 @@ async function drawStrokes(path: string, options: Options): Promise<void> {
   await checkOutputs([output, normal, ...maps, ...(set?.images ?? [])], WHO, { inputs, force })
   if (set) await checkOutputs([set.document], WHO, { inputs, force, extensions: ['.json'] })
   const face = await readFaceMesh(options.face, WHO, options)
-  // Files in the folder may be overwritten, except textures of the face.
+  // Files in the folder may be overwritten, but not textures of the face that are in this folder.
   const updated = set ? [set.document, ...set.images.filter((image) => !wasRead(image))] : []
   const drawn = await withCommandErrors(WHO, async () => [
     ...(await drawMaps(document, strokes, face, options)),
@@ -101,7 +100,10 @@ async function drawStrokes(path: string, options: Options): Promise<void> {
   )
 }
 
-/** Returns the strokes to draw into the maps. A map shows one layer; areas cover the strokes of all layers. */
+/**
+ * Returns the strokes to draw: those of `layer`, by default all strokes. Throws if they have several layers and a map
+ * is drawn, because a map can show only one layer.
+ */
 function strokesOfLayer(document: StrokesDocument, { layer, output, normal }: Options): Stroke[] {
   const { strokes } = document
   const layers = layersOf(document)
@@ -127,7 +129,7 @@ function strokesOfLayer(document: StrokesDocument, { layer, output, normal }: Op
   return layer === undefined ? strokes : strokes.filter((stroke) => stroke.layer === layer)
 }
 
-/** Returns the area names. Throws if one is not a valid file name, because each area is written to a file. */
+/** Returns the names of the areas. Throws if a name is not valid as a file name. */
 function areaNames(document: StrokesDocument): string[] {
   const names = paintedNames(document)
   const invalid = names.find((name) => !isFileName(name))

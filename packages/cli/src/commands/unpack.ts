@@ -17,13 +17,12 @@ interface Options {
   json?: boolean
 }
 
-/** `furrow unpack`: extracts the folder that `furrow pack` reads. */
 export const unpackCommand = createCommand('unpack')
   .description('extract wrinkles into a folder of images')
   .argument('<face>', 'face with wrinkles (.glb, .vrm, .gltf)')
-  .requiredOption('-o, --output <folder>', 'new or empty folder')
+  .requiredOption('-o, --output <folder>', 'folder to write, new or empty')
   .option('--material <name>', 'material with wrinkles (default: the only one)')
-  .option('--white-is-visible', 'write areas as white = visible (default: black)')
+  .option('--white-is-visible', 'white means visible in areas (default: black)')
   .addOption(allowOutsideOption())
   .option('--json', 'print the result as JSON')
   .addHelpText(

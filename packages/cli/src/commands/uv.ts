@@ -19,7 +19,6 @@ interface Options extends ReadOptions {
   json?: boolean
 }
 
-/** `furrow uv`: draws a template for painting. */
 export const uvCommand = createCommand('uv')
   .description('draw the UV layout as a painting template')
   .argument('<face>', 'face (.glb, .vrm, .gltf)')
@@ -30,7 +29,7 @@ export const uvCommand = createCommand('uv')
     numberParser({ min: 64, max: MAX_IMAGE_SIDE, unit: 'texels', integer: true }),
     DEFAULT_SIZE,
   )
-  .option('--mesh <name>', 'mesh with the skin (default: detected)')
+  .option('--mesh <name>', 'mesh to draw (default: detected)')
   .addOption(allowOutsideOption())
   .option('--json', 'print the result as JSON')
   .addHelpText(

@@ -11,18 +11,17 @@ interface Options extends ReadOptions {
   json?: boolean
 }
 
-/** `furrow validate`: checks a face. */
 export const validateCommand = createCommand('validate')
   .description('check the wrinkles and the glTF of a face')
   .argument('<face>', 'face with wrinkles (.glb, .vrm, .gltf)')
-  .option('--all', 'list, not only count, problems outside the wrinkles')
+  .option('--all', 'list problems outside the wrinkles (default: count them)')
   .addOption(allowOutsideOption())
   .option('--json', 'print all findings as JSON')
   .addHelpText(
     'after',
     `
-The glTF is checked with the Khronos validator. The exit code is 1 if there are
-errors anywhere in the file, otherwise 0: Furrow's loader shows the wrinkles.
+The Khronos validator checks the glTF. The exit code is 1 if there are errors
+anywhere in the file. If it is 0, Furrow's loader shows the wrinkles.
 
 Examples:
   $ furrow validate wrinkled.glb
@@ -57,7 +56,7 @@ function findingText({ severity, code, message, pointer }: Finding): string {
   return `${severity}: ${pointer ? `${pointer}: ` : ''}${message} (${code})`
 }
 
-/** Summarises findings outside the wrinkles in one line, because most files have some. */
+/** Summarises findings outside the wrinkles in one line, because most files have such findings. */
 function sumUp(findings: readonly Finding[], severity: Finding['severity']): string[] {
   const counts = new Map<string, number>()
   const chosen = findings.filter((finding) => finding.severity === severity)

@@ -13,14 +13,14 @@ import sharp from 'sharp'
 import { escapeMarkup } from '../markup.ts'
 import { drawSkinLayout } from '../uv/draw-layout.ts'
 
-/** Tile size, label height and gap, pixels. */
+/** Width and height of a tile, height of its label, and gap between tiles, pixels. */
 const SIDE = 256
 const LABEL_HEIGHT = 26
 const GAP = 10
 
 const BACKGROUND = '#1b1c1f'
 
-/** Colour (sRGB) and opacity of areas over the skin. */
+/** Colour (sRGB) and opacity with which areas are drawn over the skin. */
 const TINT = [255, 64, 48] as const
 const TINT_OPACITY = 0.75
 
@@ -30,7 +30,7 @@ interface Tile {
   pixels: Uint8Array
 }
 
-/** Draws a PNG of all maps, and of all areas over the base colour of the skin. */
+/** Draws a PNG with one tile per map and per area. Areas are drawn over the base colour of the skin. */
 export async function drawSheet(file: WrinkledFile, who: string): Promise<Uint8Array> {
   const skin = await skinOf(file, who)
   const tiles: Tile[] = []
@@ -51,7 +51,7 @@ export async function drawSheet(file: WrinkledFile, who: string): Promise<Uint8A
   return arrange(tiles)
 }
 
-/** Draws a PNG of the base colour and the UV layout of a face without wrinkles. */
+/** Draws a PNG with the base colour and the UV layout of a face without wrinkles. */
 export async function drawPlainSheet(glb: Glb, skin: FoundSkin, who: string): Promise<Uint8Array> {
   const rgba = await drawSkinLayout(glb, skin, 2 * SIDE, who)
   const layout = sharp(rgba, { raw: { width: 2 * SIDE, height: 2 * SIDE, channels: 4 } })
@@ -84,7 +84,6 @@ async function arrange(tiles: readonly Tile[]): Promise<Uint8Array> {
     .toBuffer()
 }
 
-/** Renders a label below a tile, as PNG. */
 function renderLabel(label: string): Promise<Buffer> {
   const plain = label.replaceAll(/\p{C}/gu, ' ').trim() || '?'
   const short = plain.length > 34 ? `${plain.slice(0, 33)}…` : plain
@@ -95,7 +94,7 @@ function renderLabel(label: string): Promise<Buffer> {
     .toBuffer()
 }
 
-/** Returns the base colour of the skin as RGB, `side` x `side` pixels; gray if there is no texture. */
+/** Returns the base colour of the skin as RGB with `side` x `side` pixels. Without a texture, all pixels are gray. */
 export async function skinOf(
   { glb, material }: Pick<WrinkledFile, 'glb' | 'material'>,
   who: string,
@@ -105,19 +104,18 @@ export async function skinOf(
   return colour ? scaled(await pixelsOf(glb, colour, who), side) : new Uint8Array(3 * side * side).fill(120)
 }
 
-/** Scales an image to RGB, `side` x `side` pixels. */
+/** Scales an image to RGB with `side` x `side` pixels. */
 export async function scaled({ width, height, channels, data }: Pixels, side = SIDE): Promise<Uint8Array> {
   const image = sharp(data, { raw: { width, height, channels } }).resize(side, side, { fit: 'fill' })
   return image.toColourspace('srgb').removeAlpha().raw().toBuffer()
 }
 
-/** Scales the weights of an area to `side` x `side` pixels. */
 export async function scaledWeights({ width, height, data }: GrayImage, side = SIDE): Promise<Uint8Array> {
   const image = sharp(data, { raw: { width, height, channels: 1 } }).resize(side, side, { fit: 'fill' })
   return image.toColourspace('b-w').raw().toBuffer()
 }
 
-/** Tints an RGB image with the weights of an area. */
+/** Tints an RGB image red, in proportion to the weights of an area. */
 export function tinted(skin: Uint8Array, weights: Uint8Array): Uint8Array {
   return skin.map((value, i) => {
     const opacity = (TINT_OPACITY * weights[Math.floor(i / 3)]) / 255

@@ -8,11 +8,11 @@ import { type Face, loadFace } from '../../../../stage/face.ts'
 import { isWebGL } from '../../../../stage/light.ts'
 import type { Renderer } from '../../../../stage/stage.ts'
 
-/** Extensions read by three-vrm. */
 const VRM = ['VRM', 'VRMC_vrm', 'VRMC_materials_mtoon']
 
 /**
- * Loads a face, with support for Draco, KTX 2 and VRM. If three-vrm rejects a VRM, loads it as plain glTF with a warning.
+ * Loads a face. Supports Draco, KTX 2 and VRM. If three-vrm rejects a VRM, loads the file as glTF without VRM features
+ * and warns.
  *
  * @throws Error like `loadFace`.
  */

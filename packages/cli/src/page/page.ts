@@ -1,4 +1,7 @@
-/** Page of `furrow render`: draws images of one face on the shared stage and posts the pixels to Node. */
+/**
+ * Page that `furrow render` opens in a browser. Draws images of one face with the stage (the lit scene of all Furrow
+ * tools) and posts the pixels to Node.
+ */
 
 import { EXPRESSIONS, type Expression, findTargets } from 'furrow'
 import { ExpressionPlayer, type LoadedWrinkles, loadWrinkleSet } from 'furrow/three'
@@ -12,7 +15,7 @@ import type { PageJob, PageReport, VIEW_NAMES } from '../render/picture.ts'
 import { loadAvatar } from './load-avatar.ts'
 import { readPicture } from './read-canvas.ts'
 
-// Node cannot import the stage and has its own list of views. The lists must be equal.
+// Node cannot import the stage, so it has its own list of views. The type check fails if the lists differ.
 type Same<A, B> = [A, B] extends [B, A] ? true : never
 const sameViews: Same<ViewName, (typeof VIEW_NAMES)[number]> = true
 void sameViews
@@ -28,24 +31,27 @@ window.drawPicture = async (job) => {
   }
 }
 
-/** State shared by all images of a page. */
+/** Objects that all images of a page share. */
 interface Scene {
   stage: Stage
   face: Face
-  /** Null if the face has no wrinkles. Without delays, because an image shows the final state. */
+  /**
+   * Wrinkles of the face, or null if it has none. Drivers of type `time` are removed, because they delay activations,
+   * and an image shows the activations after the delay.
+   */
   loaded: Pick<LoadedWrinkles, 'set' | 'drivers'> | null
-  /** Blendshape weights in the file. */
+  /** Blendshape weights that the file sets. */
   initialWeights: Map<Mesh, readonly number[]>
 }
 
 let scene: Scene | undefined
-/** Wrinkles of the last image. */
+/** Wrinkles of the previous image. */
 let wrinkles: Wrinkles | undefined
 
 async function draw(job: PageJob): Promise<PageReport> {
   const { width, height } = job
   warnings.length = 0
-  // Lights, textures and shaders take most of the time, so they are shared by all images of a face.
+  // Creating lights, textures and shaders takes most of the time, so all images of a face share them.
   scene ??= await open(job)
   const { stage, face, loaded, initialWeights } = scene
   for (const [mesh, weights] of initialWeights) mesh.morphTargetInfluences = [...weights]
@@ -62,7 +68,7 @@ async function draw(job: PageJob): Promise<PageReport> {
   setTargets(face.root, job.targets)
   stage.camera.aspect = width / height
   stage.view(job.view)
-  // The size on screen in the first frame decides whether the next frame has relief.
+  // The face's size on screen in one frame decides whether the next frame has relief. So the image is drawn twice.
   if (job.relief === 'near') await readPicture(stage, width, height)
   const pixels = await readPicture(stage, width, height)
   const response = await fetch(job.uploadTo, { method: 'POST', body: pixels as BodyInit })
@@ -87,13 +93,16 @@ async function open(job: PageJob): Promise<Scene> {
   return { stage, face, loaded, initialWeights }
 }
 
-/** Loads a wrinkle set and separates its drivers, like `readWrinkleMaps`, because `Wrinkles` adds the drivers of a set. */
+/**
+ * Loads a wrinkle set and returns its drivers separately. From the set, `Wrinkles` would add all of them, even drivers of
+ * type `time`.
+ */
 async function loadDocument(url: string): Promise<Pick<LoadedWrinkles, 'set' | 'drivers'>> {
   const { drivers, ...set } = await loadWrinkleSet(url)
   return { set, drivers: (drivers ?? []) as LoadedWrinkles['drivers'] }
 }
 
-/** Applies an expression and activations. The drivers of the file run unless activations are given. */
+/** Applies an expression and activations. If activations are given, the drivers of the file are off. */
 function applyExpression(
   root: Object3D,
   wrinkles: Wrinkles,
@@ -102,7 +111,8 @@ function applyExpression(
 ): void {
   wrinkles.driven = Object.keys(activations).length === 0
   if (named) {
-    // Presets name areas of the shipped faces, and the player warns about missing areas. Other faces use drivers.
+    // The library's presets refer to areas of Furrow's own faces. The player would warn about missing areas, so unknown
+    // names are removed.
     const known = Object.entries(named.activations).filter(
       ([area]) => wrinkles.drivers.length === 0 || wrinkles.hasArea(area),
     )
@@ -112,7 +122,6 @@ function applyExpression(
   for (const [area, activation] of Object.entries(activations)) wrinkles.setActivation(area, activation)
 }
 
-/** Sets blendshape weights on all meshes that have them. */
 function setTargets(root: Object3D, targets: Readonly<Record<string, number>>): void {
   root.traverse((object) => {
     const { morphTargetDictionary, morphTargetInfluences } = object as Mesh

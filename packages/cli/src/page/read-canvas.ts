@@ -3,16 +3,16 @@ import type { WebGPURenderer } from 'three/webgpu'
 import { isWebGL } from '../../../../stage/light.ts'
 import type { Stage } from '../../../../stage/stage.ts'
 
-/** Draws a tile and returns its pixels: RGBA, row 0 at the top. */
+/** Draws a tile of the image. Returns RGBA bytes, row 0 at the top. */
 type DrawTile = () => Promise<Uint8Array>
 
-/** Tile size, pixels. Multisampled buffers of a large image would not fit into memory. */
+/** Width and height of a tile, pixels. The multisampled buffers of a whole image could exceed the GPU's memory. */
 const TILE = 2048
 
 /**
  * Draws the stage as on screen (multisampled, tone mapped, sRGB) and reads the pixels.
  *
- * @returns RGBA, row 0 at the top.
+ * @returns RGBA bytes, row 0 at the top.
  */
 export async function readPicture(stage: Stage, width: number, height: number): Promise<Uint8Array> {
   const tileWidth = Math.min(width, TILE)
@@ -43,7 +43,9 @@ function setTile(
   camera.updateProjectionMatrix()
 }
 
-/** Reads tiles from the canvas right after drawing, because WebGLRenderer applies tone mapping only on the canvas. */
+/**
+ * Reads tiles from the canvas right after drawing. WebGLRenderer applies tone mapping only when it draws to the canvas.
+ */
 function canvasTile(stage: Stage): DrawTile {
   const gl = stage.renderer.getContext() as WebGL2RenderingContext
   const { drawingBufferWidth: width, drawingBufferHeight: height } = gl
@@ -58,8 +60,8 @@ function canvasTile(stage: Stage): DrawTile {
 }
 
 /**
- * Reads tiles from the output target. WebGPURenderer applies tone mapping to it as to a canvas, but presenting a canvas
- * can lose the device.
+ * Reads tiles from a render target that WebGPURenderer uses as its output. The renderer applies tone mapping to this
+ * target. A canvas is not used, because presenting a canvas can lose the device.
  */
 function targetTile(stage: Stage, width: number, height: number): DrawTile {
   const renderer = stage.renderer as WebGPURenderer

@@ -3,7 +3,7 @@ import { defineConfig } from 'vite'
 import { mtoonNodes } from '../../../../scripts/lib/mtoon-nodes.mjs'
 import { SOURCES } from '../../../../scripts/lib/sources.mjs'
 
-/** Bundles the page into dist/, so that the installed command needs no bundler. */
+/** Bundles the page into dist/page, so that the installed command needs no bundler. */
 export default defineConfig({
   root: fileURLToPath(new URL('.', import.meta.url)),
   base: './',
@@ -15,9 +15,9 @@ export default defineConfig({
     emptyOutDir: true,
     target: 'esnext',
     license: { fileName: 'LICENSES.md' },
-    // Both three.js renderers are in one chunk. It is read from disk, so its size does not matter.
+    // One chunk contains both three.js renderers. Its size does not matter, because the browser gets it from disk.
     chunkSizeWarningLimit: 4000,
-    // The library imports chunks on demand that this page already contains.
+    // Silences a warning: the library loads some modules on demand that this page already contains.
     rolldownOptions: { checks: { ineffectiveDynamicImport: false } },
   },
 })

@@ -16,16 +16,18 @@ const MIME_TYPES: Record<string, string> = {
   '.wasm': 'application/wasm',
 }
 
-/** Server on localhost for the page and its files. Receives the drawn images. */
+/**
+ * Server on localhost for the page that draws images. Serves the page and the files that it loads, and receives pixels.
+ */
 export interface LocalServer {
   /** Prefix of all URLs, without a trailing slash. */
   origin: string
   page: string
   /** Returns the URL of a file. Relative URLs in the file resolve as on disk. */
   addressOf(path: string): string
-  /** Makes a file readable; `content` is the bytes, or the path of the file to read. */
+  /** Lets the page read a file. `content` is its bytes, or the path to read them from. */
   offer(path: string, content: Uint8Array | string): void
-  /** Creates a URL to which `length` bytes can be posted once. */
+  /** Creates a URL to which `length` bytes can be posted once. `received` returns the posted bytes. */
   inbox(length: number): { address: string; received: () => Uint8Array | undefined }
   close(): Promise<void>
 }
@@ -35,9 +37,9 @@ interface Inbox {
   bytes?: Uint8Array
 }
 
-/** @param pageFolder folder of the page, with `index.html`. */
+/** @param pageFolder folder that contains `index.html` of the page. */
 export async function startLocalServer(pageFolder = PAGE_FOLDER): Promise<LocalServer> {
-  // Other programs on this machine can reach the port, but cannot guess the URL.
+  // Other programs on this machine can connect to the port, but cannot guess this part of the URL.
   const secret = `/${randomUUID()}`
   const contents = pageFiles(pageFolder)
   const inboxes = new Map<string, Inbox>()
@@ -45,7 +47,7 @@ export async function startLocalServer(pageFolder = PAGE_FOLDER): Promise<LocalS
   const server = createServer((request, response) => {
     // A client can disconnect at any time.
     for (const stream of [request, response]) stream.on('error', () => response.destroy())
-    // Protects against DNS rebinding: a web page can make its host name resolve to this machine.
+    // Protects against DNS rebinding, where a web page makes its host name resolve to this machine.
     if (request.headers.host !== host) return answer(response, 403)
     const path = request.url?.split('?', 1)[0] ?? ''
     if (!path.startsWith(`${secret}/`)) return answer(response, 404)
@@ -84,7 +86,7 @@ function routeOf(path: string): string {
   return `/file${pathToFileURL(path).pathname}`
 }
 
-/** Maps routes to the files of the page. No other file is served. */
+/** Returns the files of the page by route. The server serves other files only after `offer`. */
 function pageFiles(folder: string): Map<string, Uint8Array | string> {
   const files = readdirSync(folder, { recursive: true, withFileTypes: true }).filter((file) => file.isFile())
   return new Map(
@@ -96,14 +98,14 @@ function pageFiles(folder: string): Map<string, Uint8Array | string> {
 }
 
 function answer(response: ServerResponse, status: number): void {
-  // The rest of the request is not read.
+  // Closes the connection, because the rest of the request is not read.
   response.writeHead(status, { connection: 'close' }).end()
 }
 
 /** Receives a body with exactly the expected length, once. */
 async function receive(request: IncomingMessage, response: ServerResponse, inbox: Inbox): Promise<void> {
   if (inbox.bytes) return answer(response, 409)
-  // Node never reads more than content-length.
+  // Node never reads more than `content-length` bytes.
   if (Number(request.headers['content-length']) !== inbox.length) return answer(response, 413)
   try {
     inbox.bytes = await buffer(request)

@@ -9,25 +9,22 @@ import { type PageJob, PICTURE_DEFAULTS, PICTURE_SIDE, type PictureRequest } fro
 
 const WHO = 'furrow render'
 
-/** Files that the page may read: content or real path, by the path in the page's URL. */
+/** Files that the page may read, by the path in the URL. A value is a file's bytes, or the path to read it from. */
 export type ServedFiles = ReadonlyMap<string, Uint8Array | string>
 
-/** Validated request. */
 export interface PreparedPicture {
-  /** Job with defaults applied; `face` and `wrinkles` are still paths. */
+  /** Job for the page, with defaults applied. `face` and `wrinkles` are still paths. */
   job: Omit<PageJob, 'uploadTo'>
   files: ServedFiles
-  /** Warnings for the user. */
   notes: string[]
 }
 
-/** Face as a self-contained `.glb`. */
 interface EncodedFace {
   json: GltfJson
   bytes: Uint8Array
 }
 
-/** Returns a function that reads the face of a request, cached by path. */
+/** Returns a function that reads the face of a request. It caches faces by path. */
 export function faceReader(): (request: PictureRequest) => Promise<EncodedFace> {
   const faces = new Map<string, Promise<EncodedFace>>()
   return ({ input, allowOutside }) => {
@@ -75,14 +72,13 @@ export async function preparePicture(
 }
 
 interface FoundWrinkles {
-  /** Path of a set outside the face. */
+  /** Path of the wrinkle set, if it is not in the face. */
   path?: string
-  /** Names of the areas. */
   areas: string[]
   files: ServedFiles
 }
 
-/** Finds the wrinkle set: from the request, in the face, or in the folder beside the face. */
+/** Finds the wrinkle set that the request names. Default: the set in the face, or in the folder beside the face. */
 async function findWrinkles(
   request: PictureRequest,
   json: GltfJson,
@@ -106,7 +102,7 @@ async function findWrinkles(
   for (const uri of [...maps, ...areas.map(({ image }) => image)]) {
     const real = await resolveInside(path, uri, WHO, options)
     await checkReadable(real)
-    // The page reads the file later.
+    // The page reads this file later, so no output may overwrite it.
     recordRead(await stat(real, { bigint: true }))
     // The key is the path to which the browser resolves the URI.
     files.set(fileURLToPath(new URL(uri, pathToFileURL(path))), real)
@@ -114,7 +110,7 @@ async function findWrinkles(
   return { path, areas: areas.map(({ name }) => name), files }
 }
 
-/** `faces/human.glb` -> `faces/human/wrinkles.json`. */
+/** Returns the default path of a wrinkle set, e.g. `faces/human/wrinkles.json` for `faces/human.glb`. */
 function defaultWrinkles(input: string): string {
   const { name } = parse(input)
   return join(dirname(input), name, 'wrinkles.json')

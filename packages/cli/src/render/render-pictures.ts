@@ -6,19 +6,18 @@ import { type LocalServer, startLocalServer } from './local-server.ts'
 import type { PageJob, PageReport, PictureRequest } from './picture.ts'
 import { faceReader, type PreparedPicture, preparePicture } from './prepare.ts'
 
-/** Drawn image. */
 export interface Picture extends PageReport {
   width: number
   height: number
-  /** RGBA, sRGB, row 0 at the top. */
+  /** RGBA bytes, sRGB, row 0 at the top. */
   pixels: Uint8Array
-  /** Time to draw; for the first image of a face, includes loading the page. */
+  /** Time to draw, milliseconds. For the first image of a face, it includes loading the page and the face. */
   milliseconds: number
 }
 
 /**
- * Draws images in a headless browser, in order. Consecutive images of one face share a page, which is faster. Validates
- * all requests before the browser starts. Writes no files.
+ * Draws images in a headless browser, in order. Consecutive images of one face share a page, which saves loading time.
+ * Validates all requests before the browser starts. Writes no files.
  *
  * @param progress called before each image and after the last.
  * @throws FurrowError if a request is invalid, no browser is found, or an image cannot be drawn.
@@ -36,7 +35,6 @@ export async function renderPictures(
   }
 }
 
-/** Draws images like `renderPictures`, in a given browser. */
 export async function renderPicturesIn(
   browser: Browser,
   requests: readonly PictureRequest[],
@@ -75,7 +73,7 @@ async function drawWith(
   try {
     for (const [i, picture] of prepared.entries()) {
       progress(i, prepared.length)
-      // One page per face, so that a lost device or a leak does not affect the next face.
+      // Each face gets a new page, so that a memory leak or a lost GPU device does not affect the next face.
       if (i === 0 || !haveSameScene(picture, prepared[i - 1])) {
         await page?.close()
         page = await newPage(browser)
@@ -89,7 +87,6 @@ async function drawWith(
   return pictures
 }
 
-/** Returns whether one page can draw both images. */
 function haveSameScene({ job: a }: PreparedPicture, { job: b }: PreparedPicture): boolean {
   return a.face === b.face && a.wrinkles === b.wrinkles && a.mesh === b.mesh && a.renderer === b.renderer
 }
@@ -108,10 +105,10 @@ async function drawOne(
     wrinkles: job.wrinkles && server.addressOf(job.wrinkles),
     uploadTo: inbox.address,
   }
-  // Messages show paths instead of URLs.
+  // Messages should contain paths and not URLs of the local server.
   const withPaths = (text: string) => text.replaceAll(`${server.origin}/file`, '')
   const report = await renderOnPage(page, server, pageJob).catch((error) => ({
-    // Removes the method name at the start of Playwright's messages.
+    // Removes the method name with which Playwright's messages start.
     error: firstLine(error).replace(/^page\.\w+: /, ''),
   }))
   if ('error' in report) throw drawingFailed(job.face, withPaths(firstLine(report.error)))
@@ -141,7 +138,7 @@ async function renderOnPage(
     if (page.url() !== server.page) await open(page, server)
     return await Promise.race([crashed, page.evaluate((job) => window.drawPicture(job), job)])
   } finally {
-    // The page is reused; do not accumulate listeners.
+    // The page is used again, so listeners must not accumulate.
     page.off('crash', onCrash)
   }
 }

@@ -32,10 +32,9 @@ import { withBar } from '../progress.ts'
 
 const WHO = 'furrow strokes'
 
-/** Size of the maps if no option, document or base sets it, texels. */
+/** Width and height of the maps in texels, if neither `--size`, the document nor the base sets a size. */
 export const DEFAULT_SIZE = 1024
 
-/** Drawing options of `furrow strokes`. */
 export interface DrawOptions {
   base?: string
   detail?: boolean
@@ -46,15 +45,14 @@ export interface DrawOptions {
   allowOutside?: boolean
 }
 
-/** Returns the path of an area in a folder. */
 export const areaPath = (folder: string, name: string) => join(folder, `${name}.png`)
 
-/** File to write, with a printed note. */
+/** File to write, with a note that is printed. */
 export interface DrawnFile extends OutputFile {
   note: string
 }
 
-/** Draws the height map and the normal map, if requested. */
+/** Draws the height map (`output`) and the normal map (`normal`), if their paths are given. */
 export async function drawMaps(
   document: StrokesDocument,
   strokes: readonly Stroke[],
@@ -90,7 +88,10 @@ export async function drawMaps(
   return drawn
 }
 
-/** Draws all maps of the layers; in a new folder, also the other files that `furrow pack` reads. */
+/**
+ * Draws all maps of the layers for a folder. If the folder is new, also returns the other files that `furrow pack`
+ * reads.
+ */
 export async function drawInto(
   open: OpenSet,
   document: StrokesDocument,
@@ -105,7 +106,7 @@ export async function drawInto(
   const on = { canvas, frame: frameOf(face) }
   const { layers, files } = await drawSet(set, open.layers, document, read, on, WHO)
   files.unshift({ path: WRINKLES_FILE, bytes: jsonFile({ ...open.json, layers }) })
-  // The strokes document that was read may be this file.
+  // Keeps `strokes.json` of the folder if it is the strokes document that the user gave.
   if (isNew && !wasRead(join(folder, STROKES_FILE)))
     files.push({ path: STROKES_FILE, bytes: jsonFile(json as object) })
   const drawn = files.map(({ path, bytes }) => ({
@@ -121,14 +122,13 @@ const frameOf = ({ hasTangents }: FaceMesh): TangentFrame => (hasTangents ? 'ort
 function oddSizeError(size: number): FurrowError {
   return new FurrowError({
     who: WHO,
-    problem: 'the size is odd, but heights, occlusion and blood need half of it',
+    problem: 'the size is odd, but heights, occlusion and blood have half this size',
     value: size,
     limit: 'even sizes',
     remedy: `choose --size ${size + 1}`,
   })
 }
 
-/** Draws a gray image per area, if requested. */
 export function drawAreas(
   document: StrokesDocument,
   face: FaceMesh,
@@ -143,12 +143,12 @@ export function drawAreas(
     painted.map(async ({ name, weights }) => ({
       path: areaPath(areas, name),
       bytes: await encodeArea(weights),
-      note: `${weights.width} x ${weights.height}, black = visible`,
+      note: `${weights.width} x ${weights.height}, wrinkles are visible where black`,
     })),
   )
 }
 
-/** Formats the range of the heights. */
+/** Formats the lowest and the highest height, e.g. `-0.30..0.12 mm`. */
 function rangeOf({ data }: HeightMap): string {
   let [low, high] = [0, 0]
   for (const mm of data) {
@@ -158,7 +158,10 @@ function rangeOf({ data }: HeightMap): string {
   return `${low.toFixed(2)}..${high.toFixed(2)} mm`
 }
 
-/** Reads the normal map under the strokes: `--base`, or the mesh's normal map; undefined with `--detail`. */
+/**
+ * Reads the normal map under the strokes: `--base`, or by default the normal map of the mesh. With `--detail` there is
+ * no such map.
+ */
 async function readBase(
   { base, detail }: DrawOptions,
   face: FaceMesh,

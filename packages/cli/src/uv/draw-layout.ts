@@ -3,11 +3,12 @@ import { type FoundSkin, type Glb, pixelsOf, withCommandErrors } from 'furrow-fi
 import sharp from 'sharp'
 
 /**
- * Draws the UV layout of a skin over its base colour, if the base colour uses the same layout.
+ * Draws the UV layout of the skin. Draws it over the base colour if that has the same texture coordinates as the
+ * wrinkles.
  *
- * @param size side, texels.
- * @returns RGBA, size x size texels.
- * @throws FurrowError if the base colour cannot be decoded, or hundreds of triangles overlap.
+ * @param size width and height of the result, texels.
+ * @returns RGBA bytes.
+ * @throws FurrowError if the base colour cannot be decoded, or if hundreds of triangles overlap.
  */
 export async function drawSkinLayout(
   glb: Glb,
@@ -39,7 +40,6 @@ async function baseColour(
   return image.toColourspace('srgb').ensureAlpha().raw().toBuffer()
 }
 
-/** Returns the texture coordinate set and the transform of a texture info. */
 function layoutOf(info: { texCoord?: number; extensions?: Record<string, unknown> } = {}) {
   return [info.texCoord ?? 0, info.extensions?.KHR_texture_transform]
 }

@@ -12,11 +12,15 @@ import {
   transform,
 } from './vertices.ts'
 
-/** Default maximum distance of a sculpt, as a fraction of the low mesh's diagonal. */
+/**
+ * Default maximum distance between the low-poly mesh and the sculpt, as a fraction of the low-poly mesh's bounding box
+ * diagonal.
+ */
 export const DEFAULT_CAGE = 0.02
 
 /**
- * Reads the low mesh, unindexed. Uses its tangents, otherwise computed tangents, otherwise none.
+ * Reads the low-poly mesh of a normal map bake, with three vertices per triangle. Tangents that the mesh lacks come
+ * from `computeTangents`, if it is given.
  *
  * @throws FurrowError if the mesh has no texture coordinates or no normals.
  */

@@ -3,7 +3,10 @@ import { BufferAttribute, BufferGeometry, DoubleSide, FrontSide, Ray, Triangle, 
 import { MeshBVH } from 'three-mesh-bvh'
 import type { Surface } from './surface.ts'
 
-/** Builds a BVH of a surface (three-mesh-bvh) for ray casts. The BVH keeps and reorders the index array. */
+/**
+ * Builds a bounding volume hierarchy (three-mesh-bvh) of a surface, for ray casts. The hierarchy keeps `indices` and
+ * reorders them.
+ */
 export function raySourceOf({ positions, normals, indices }: Surface): BakeSource {
   const geometry = new BufferGeometry()
   geometry.setAttribute('position', new BufferAttribute(positions, 3))

@@ -10,15 +10,15 @@ import { meshError } from './vertices.ts'
 
 const WHO = 'furrow bake'
 
-/** Tangents for a mesh without tangents; see TangentFrame. */
+/** Method to compute tangents that a mesh lacks: MikkTSpace, or screen-space derivatives in the shader. */
 export type Tangents = 'mikktspace' | 'derivative'
 
-/** Reads the high-poly surface; see `surfaceOf`. Throws if the file cannot be read. */
+/** Reads the high-poly surface. Throws if the file cannot be read. */
 export async function readSurface(path: string, options: ReadOptions = {}): Promise<Surface> {
   return surfaceOf(await readDocument(path, WHO, options), path, WHO)
 }
 
-/** Reads the low-poly mesh; see `lowMeshOf` and `pickMesh`. Throws if the file cannot be read. */
+/** Reads the low-poly mesh. Throws if the file cannot be read. */
 export async function readLow(
   path: string,
   meshName: string | undefined,
@@ -31,13 +31,13 @@ export async function readLow(
   return { name: nameOf(node), mesh, tangents: hasTangents ? 'of the mesh' : tangents }
 }
 
-/** Computes tangents. MikkTSpace's v points up and glTF's down, so w is negated. */
+/** Computes tangents with MikkTSpace. Negates w, because v points up in MikkTSpace and down in glTF. */
 function mikktspace({ positions, normals, uvs }: BakeMesh, path: string): Float32Array {
   let tangents: Float32Array
   try {
     tangents = generateTangents(positions, normals, uvs)
   } catch {
-    // The WebAssembly traps if all triangles are degenerate.
+    // `generateTangents` traps if all triangles are degenerate.
     throw meshError(
       WHO,
       `cannot compute tangents for ${path}`,

@@ -14,13 +14,13 @@ import {
 export interface Surface {
   /** Packed xyz positions. */
   positions: Float32Array
-  /** Packed xyz normals; absent if a mesh has none. The surface is then flat-shaded. */
+  /** Packed xyz normals. Absent if any mesh has no normals: the whole surface is then flat-shaded. */
   normals?: Float32Array
-  /** Three vertices per triangle. */
+  /** Three vertex indices per triangle. */
   indices: Uint32Array
 }
 
-/** Returns all triangles of a document as one surface, neutral and in rest pose. Throws if there are none. */
+/** Joins all triangles of a document, in rest pose and without blendshapes. Throws if there are none. */
 export function surfaceOf(document: Document, path: string, who: string): Surface {
   const parts = document
     .getRoot()

@@ -15,7 +15,7 @@ export function readAttribute(primitive: Primitive, name: string, size: number):
   return out
 }
 
-/** Returns the vertices of the triangles. `isMirrored` reverses the winding, for nodes with a mirroring matrix. */
+/** Returns three vertex indices per triangle. `isMirrored` reverses the winding, for nodes with a mirroring matrix. */
 export function cornersOf(primitive: Primitive, isMirrored: boolean): Uint32Array {
   const index = primitive.getIndices()
   const count = index ? index.getCount() : primitive.getAttribute('POSITION')!.getCount()
@@ -33,7 +33,7 @@ export function matrixOf(node: Node): Matrix4 {
   return new Matrix4().fromArray(placementOf(node))
 }
 
-/** Transforms vertices in place and normalises normals and tangents. */
+/** Transforms positions, normals and tangents in place. Normalises normals and tangents. */
 export function transform(
   { positions, normals, tangents }: Partial<BakeMesh> & Pick<BakeMesh, 'positions'>,
   matrix: Matrix4,
@@ -43,7 +43,9 @@ export function transform(
   if (tangents) transformDirections(new BufferAttribute(tangents, 4), matrix.clone().setPosition(0, 0, 0))
 }
 
-/** Returns the cofactor matrix: the inverse transpose times |determinant|. Works with zero scales. */
+/**
+ * Returns the cofactor matrix, which is the inverse transpose times `|determinant|`. It exists also if a scale is 0.
+ */
 function normalMatrixOf(matrix: Matrix4): Matrix4 {
   const sign = isMirroring(matrix) ? -1 : 1
   const [x, y, z] = [0, 1, 2].map((k) => new Vector3().setFromMatrixColumn(matrix, k))

@@ -1,10 +1,10 @@
 import { FurrowError } from 'furrow'
 
 /**
- * Runs `work`, synchronous or not, and reports its errors in the name of the command.
+ * Runs a command's work, synchronous or not. If the work throws a FurrowError, the error gets the name of the command.
  *
- * @param who the command, e.g. `furrow auto`.
- * @throws FurrowError, also if maps of the requested size do not fit into memory.
+ * @param who command, e.g. `furrow auto`.
+ * @throws FurrowError if the work throws one, or if maps of the requested size do not fit into memory.
  */
 export function withCommandErrors<T>(who: string, work: () => T): T {
   const report = (error: unknown): never => {
@@ -28,7 +28,7 @@ function errorOf(who: string, error: unknown): unknown {
   )
 }
 
-/** Reasons and remedies for errors of the file system. */
+/** Reason and remedy per error code of the file system. */
 const FILE_ERRORS: Readonly<Record<string, { reason: string; remedy: string }>> = {
   ENOENT: { reason: 'it does not exist', remedy: 'check the path' },
   ENOTDIR: { reason: 'part of the path is not a folder', remedy: 'check the path' },
@@ -52,9 +52,9 @@ const FILE_ERRORS: Readonly<Record<string, { reason: string; remedy: string }>> 
 /**
  * Creates the error for a file or image that cannot be read.
  *
- * @param name name for the user, e.g. `the face head.glb`.
- * @param cause the original error; its first line becomes part of the message.
- * @param hints.remedy remedy, unless a file system error has its own.
+ * @param name name of the file in the message, e.g. `the face head.glb`.
+ * @param cause original error. The message contains its first line.
+ * @param hints.remedy used if the remedy in `FILE_ERRORS` for the cause is missing, or is only "check the path".
  */
 export function cannotRead(
   who: string,
@@ -69,7 +69,6 @@ export function cannotRead(
   return new FurrowError({ code: 'unreadable', who, problem, ...hints, remedy }, { cause })
 }
 
-/** Creates the error for a file or folder that cannot be written; see `cannotRead`. */
 export function cannotWrite(
   who: string,
   name: string,
@@ -86,7 +85,7 @@ function fileError(cause: unknown) {
   return code !== undefined && Object.hasOwn(FILE_ERRORS, code) ? FILE_ERRORS[code] : undefined
 }
 
-/** Returns the first line of an error's message, because some libraries append stacks and hints. */
+/** Returns the first line of an error's message. Some libraries append stacks and hints in further lines. */
 export function firstLine(error: unknown): string {
   return (error instanceof Error ? error.message : String(error)).split('\n')[0].trim()
 }

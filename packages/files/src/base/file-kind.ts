@@ -1,6 +1,6 @@
 import { latin1 } from './bytes.ts'
 
-/** Kinds of files with their first bytes as Latin-1: prefixes or a pattern. */
+/** Each kind of file, with the prefixes or the pattern of its first bytes. The bytes are decoded as Latin-1. */
 const KINDS = [
   ['a binary glTF file', ['glTF']],
   ['an FBX file', ['Kaydara FBX Binary', '; FBX ']],
@@ -23,10 +23,10 @@ const KINDS = [
   ['text', /^[^\x00-\x08\x0b\x0e-\x1f\x7f]+$/],
 ] as const satisfies readonly (readonly [kind: string, begin: readonly string[] | RegExp])[]
 
-/** Kind of a file, as a noun phrase. */
+/** Kind of a file, e.g. `a PLY file`. */
 export type FileKind = (typeof KINDS)[number][0] | 'empty'
 
-/** Number of bytes at the start of a file that identify its kind. */
+/** Number of bytes that `kindOf` reads. */
 export const HEAD_BYTES = 1024
 
 /** Identifies a file by its first bytes. Returns undefined if the kind is unknown. */

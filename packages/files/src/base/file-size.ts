@@ -1,9 +1,9 @@
 import { FurrowError } from 'furrow'
 
-/** Maximum size of an input file, and of a face with all referenced files. */
+/** Maximum size of an input file, and of a glTF file together with its referenced files. */
 export const MAX_FILE_BYTES = 2 ** 29
 
-/** Maximum size of JSON, which can take 25 times its size in memory. */
+/** Maximum size of JSON. Parsed JSON can take 25 times as much memory as its text. */
 export const MAX_JSON_BYTES = 2 ** 26
 
 /**

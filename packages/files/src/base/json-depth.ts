@@ -1,7 +1,7 @@
-/** Maximum nesting depth of a document, because code that reads or writes JSON recurses. */
+/** Maximum nesting depth of JSON. The limit protects recursive code from stack overflow. */
 const MAX_DEPTH = 128
 
-/** @returns a problem if a document is nested too deeply, otherwise undefined. */
+/** Returns an error text if JSON is nested too deeply, otherwise undefined. */
 export function depthProblem(json: unknown): string | undefined {
   let level = [json].filter(isObject)
   for (let depth = 0; depth < MAX_DEPTH; depth++) {

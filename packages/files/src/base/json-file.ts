@@ -24,7 +24,7 @@ export function parseJson(bytes: Uint8Array, name: string, who: string): unknown
   return json
 }
 
-/** Encodes an object as JSON, with one line per item of its lists, e.g. per stroke or area. */
+/** Encodes an object as JSON. Each item of a list, e.g. a stroke or an area, gets its own line. */
 export function jsonFile(object: object): Uint8Array {
   const fields = Object.entries(object).map(([name, value]) => `  "${name}": ${fieldText(value)}`)
   return utf8(`{\n${fields.join(',\n')}\n}\n`)

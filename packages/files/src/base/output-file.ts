@@ -1,4 +1,3 @@
-/** File to write, in memory. */
 export interface OutputFile {
   path: string
   bytes: Uint8Array

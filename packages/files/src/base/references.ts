@@ -2,14 +2,14 @@ import { FurrowError } from 'furrow'
 import { fromBase64, fromLatin1 } from './bytes.ts'
 import { cannotRead } from './errors.ts'
 
-/** Data that a URI refers to. */
+/** Data of a URI in a glTF file. */
 export interface Reference {
   bytes: Uint8Array
-  /** Real path of the file; undefined for data URIs. */
+  /** Absolute path without symbolic links. Undefined for data URIs. */
   path?: string
 }
 
-/** Reads the data of a URI in a file, cached. Throws if it cannot be read. */
+/** Reads the data of a URI, or returns it from a cache. Throws if the data cannot be read. */
 export type ReadReference = (uri: string) => Promise<Reference>
 
 const SCHEME = /^[a-z][a-z\d+.-]*:/i
@@ -24,9 +24,9 @@ export function dataOf(uri: string): Uint8Array | undefined {
 }
 
 /**
- * Returns the path in a URI, with `/` as separator.
+ * Decodes a URI to a path with `/` as separator.
  *
- * @param file path of the file with the URI, for errors.
+ * @param file path of the file that contains the URI, for errors.
  * @throws FurrowError if the URI is not a relative path.
  */
 export function pathOf(file: string, uri: string, who: string): string {
@@ -48,7 +48,10 @@ export function pathOf(file: string, uri: string, who: string): string {
   })
 }
 
-/** Decodes a URI. Some exporters do not encode URIs, so invalid escapes are kept. */
+/**
+ * Decodes percent escapes. Returns the text unchanged if an escape is invalid, because some exporters do not encode
+ * URIs.
+ */
 export function unescaped(text: string): string {
   try {
     return decodeURIComponent(text)
@@ -57,7 +60,7 @@ export function unescaped(text: string): string {
   }
 }
 
-/** Removes `.`, `..` and empty parts from a relative path, except leading `..`. */
+/** Removes empty parts, `.` and `..` from a relative path. Keeps leading `..`. */
 export function normalised(path: string): string {
   const parts: string[] = []
   for (const part of path.split('/')) {
@@ -68,7 +71,6 @@ export function normalised(path: string): string {
   return parts.join('/')
 }
 
-/** Creates the error for a reference outside the folder of the file. */
 export function outside(file: string, uri: string, who: string): FurrowError {
   return new FurrowError({
     code: 'unreadable',
@@ -80,7 +82,6 @@ export function outside(file: string, uri: string, who: string): FurrowError {
   })
 }
 
-/** Creates the error for a referenced file that cannot be read. */
 export function missing(file: string, uri: string, who: string, error: unknown): FurrowError {
   return cannotRead(who, `${printable(uri)}, referenced by ${file}`, error, {
     remedy: 'add the file, or correct the URI',

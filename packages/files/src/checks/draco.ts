@@ -1,7 +1,8 @@
 import { latin1 } from '../base/bytes.ts'
 import type { CheckedJson } from '../json/checked-json.ts'
 
-// Byte offsets in a Draco stream (Draco Bitstream Specification 2.2): header, connectivity method, counts.
+// Byte offsets of the version, the encoder method, the flags and the connectivity data (Draco Bitstream Specification
+// 2.2).
 const MAGIC = 'DRACO'
 const VERSION = 5
 const METHOD = 8
@@ -11,11 +12,11 @@ const HAS_METADATA = 0x8000
 const EDGEBREAKER = 1
 
 /**
- * Checks that Draco meshes do not exceed the counts of their accessors: 500 bytes can encode millions of points. Expects
- * valid references and ranges.
+ * Checks that no Draco mesh decodes to more vertices or indices than its accessors declare. Otherwise 500 bytes could
+ * decode to millions of points. Call `decodingProblem` first, because this check relies on valid indices and ranges.
  *
- * @param bin the binary chunk.
- * @returns the problem, or undefined.
+ * @param bin binary chunk.
+ * @returns error text, or undefined.
  */
 export function dracoProblem(
   { accessors = [], bufferViews = [], meshes = [] }: CheckedJson,
@@ -31,14 +32,18 @@ export function dracoProblem(
       const vertices = accessors[attributes.POSITION ?? -1]?.count ?? 0
       const corners = accessors[indices ?? -1]?.count ?? vertices
       const { points, faces } = counts
-      if (3 * faces > corners) return `meshes[${i}] holds ${3 * faces} indices, its accessor ${corners}`
-      if (points > vertices) return `meshes[${i}] holds ${points} vertices, its accessors ${vertices}`
+      if (3 * faces > corners) return excess(i, 3 * faces, 'indices', corners)
+      if (points > vertices) return excess(i, points, 'vertices', vertices)
     }
   }
   return undefined
 }
 
-/** Returns undefined if the data is not a mesh of version 2.2, or has metadata, which glTF does not use. */
+function excess(mesh: number, count: number, items: string, declared: number): string {
+  return `meshes[${mesh}] has ${count} ${items} in its Draco data, but its accessors declare ${declared}`
+}
+
+/** Reads the counts of a Draco mesh. Returns undefined if the data is not a mesh of version 2.2, or has metadata. */
 function readCounts(bytes: Uint8Array): { points: number; faces: number } | undefined {
   const isMesh =
     bytes.length > CONNECTIVITY &&
@@ -47,7 +52,7 @@ function readCounts(bytes: Uint8Array): { points: number; faces: number } | unde
     ((bytes[FLAGS] | (bytes[FLAGS + 1] << 8)) & HAS_METADATA) === 0
   if (!isMesh) return undefined
   let at = CONNECTIVITY
-  /** Reads LEB128: seven bits per byte, lowest first. */
+  /** Reads a LEB128 number: seven bits per byte, lowest first. */
   const next = () => {
     for (let value = 0, scale = 1; ; scale *= 128) {
       const byte = bytes[at++] ?? 0
@@ -56,7 +61,8 @@ function readCounts(bytes: Uint8Array): { points: number; faces: number } | unde
     }
   }
   if (bytes[METHOD] !== EDGEBREAKER) return { faces: next(), points: next() }
-  // Skips the traversal method and the vertex count, which the decoder limits to the number of corners.
+  // Skips the traversal method and the vertex count. The count is not checked here, because the decoder rejects data
+  // with more vertices than triangle corners.
   at++
   next()
   return { faces: next(), points: 0 }

@@ -1,10 +1,10 @@
 import type { Accessor, Document } from '@gltf-transform/core'
 
 /**
- * Checks that all attributes of a primitive have the same count, and that its indices are in range. Runs after decoding,
- * because the data of compressed meshes is unknown before.
+ * Checks that all attributes of a primitive have the same count, and that its indices are in range. Call it after
+ * decoding, because the counts of compressed meshes are unknown before.
  *
- * @returns the problem, or undefined.
+ * @returns error text, or undefined.
  */
 export function meshProblem(document: Document): string | undefined {
   for (const [m, mesh] of document.getRoot().listMeshes().entries()) {
@@ -20,7 +20,7 @@ export function meshProblem(document: Document): string | undefined {
       }
       const indices = primitive.getIndices()
       const last = indices ? maxIndex(indices) : -1
-      if (last >= vertices) return `${where} has the index ${last} of ${vertices} vertices`
+      if (last >= vertices) return `${where} has the index ${last}, but only ${vertices} vertices`
     }
   }
   return undefined

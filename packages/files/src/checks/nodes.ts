@@ -1,12 +1,12 @@
 import type { CheckedJson } from '../json/checked-json.ts'
 
-/** Maximum depth of a node, because some readers recurse. Typical skeletons are tens of nodes deep. */
+/** Maximum depth of a node hierarchy, because some readers recurse. Skeletons are tens of nodes deep. */
 const MAX_DEPTH = 256
 
 /**
- * Checks that nodes form trees (glTF 2.0, 3.5.2) at most 256 deep. Ignores missing children, which other checks report.
+ * Checks that nodes form trees (glTF 2.0, 3.5.2) at most 256 deep. Ignores references to missing children.
  *
- * @returns the problem, or undefined.
+ * @returns error text, or undefined.
  */
 export function nodeProblem({ nodes = [] }: CheckedJson): string | undefined {
   const parents = new Int32Array(nodes.length).fill(-1)
@@ -17,7 +17,7 @@ export function nodeProblem({ nodes = [] }: CheckedJson): string | undefined {
       parents[child] = i
     }
   }
-  // Walks from the roots down. Unreached nodes are in a cycle.
+  // Walks from the roots down. Nodes in a cycle are never reached.
   let level = [...nodes.keys()].filter((i) => parents[i] < 0)
   let reached = 0
   for (let depth = 1; level.length > 0; depth++) {

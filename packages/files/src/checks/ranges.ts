@@ -2,15 +2,16 @@ import type { CheckedAccessor, CheckedJson } from '../json/checked-json.ts'
 import { type BufferView, compressedViews } from '../json/gltf-json.ts'
 import { COMPONENT_BYTES, COMPONENTS, elementBytes } from './accessor-bytes.ts'
 
-/** Component type that cannot be normalized (glTF 2.0, 3.6.2.2). Readers ignore `normalized` for floats. */
+/** Component type that cannot be normalized (glTF 2.0, 3.6.2.2). */
 const UNSIGNED_INT = 5125
 const SPARSE_INDICES = [5121, 5123, 5125]
 
 /**
- * Checks that every view is within its buffer, and every accessor within its view. Expects valid references.
+ * Checks that every buffer view is within its buffer, and every accessor within its buffer view. Call
+ * `referenceProblem` first, because this check relies on valid indices.
  *
- * @param lengths available bytes of each buffer; 0 for fallback buffers of compressed views.
- * @returns the problem, or undefined.
+ * @param lengths available bytes per buffer. Fallback buffers of compressed buffer views have 0 bytes.
+ * @returns error text, or undefined.
  */
 export function rangeProblem(json: CheckedJson, lengths: readonly number[]): string | undefined {
   return viewProblem(json, lengths) ?? accessorProblem(json)
@@ -21,7 +22,7 @@ function viewProblem({ bufferViews = [] }: CheckedJson, lengths: readonly number
     const compressed = compressedViews(view)
     for (const { count, byteStride } of compressed) {
       if (count * byteStride === view.byteLength) continue
-      return `bufferViews[${i}] has ${view.byteLength} bytes, its compressed form ${count} x ${byteStride}`
+      return `bufferViews[${i}] has ${view.byteLength} bytes, but its compressed data has ${count} x ${byteStride}`
     }
     for (const { buffer, byteOffset = 0, byteLength } of compressed.length > 0 ? compressed : [view]) {
       const end = byteOffset + byteLength
@@ -35,9 +36,9 @@ function accessorProblem({ accessors = [], bufferViews = [] }: CheckedJson): str
   for (const [i, accessor] of accessors.entries()) {
     const where = `accessors[${i}]`
     const { count, componentType, normalized, type, bufferView, sparse } = accessor
-    if (!COMPONENT_BYTES.has(componentType)) return `${where} has the component type ${componentType}`
-    if (!COMPONENTS.has(type)) return `${where} has the type "${type.slice(0, 20)}"`
-    if (normalized && componentType === UNSIGNED_INT) return `${where} is normalized, with 32-bit integers`
+    if (!COMPONENT_BYTES.has(componentType)) return `${where} has the unknown component type ${componentType}`
+    if (!COMPONENTS.has(type)) return `${where} has the unknown type "${type.slice(0, 20)}"`
+    if (normalized && componentType === UNSIGNED_INT) return `${where} has normalized 32-bit integers`
     const problem = bufferView !== undefined && spanProblem(where, accessor, count, bufferViews[bufferView])
     if (problem) return problem
     if (!sparse) continue
@@ -59,7 +60,7 @@ function accessorProblem({ accessors = [], bufferViews = [] }: CheckedJson): str
   return undefined
 }
 
-/** Checks that elements are aligned, do not overlap, and end within the view. */
+/** Checks that the elements of an accessor are aligned, do not overlap, and end within the buffer view. */
 function spanProblem(
   where: string,
   { byteOffset = 0, ...form }: Pick<CheckedAccessor, 'byteOffset' | 'componentType' | 'type'>,

@@ -1,13 +1,14 @@
 import type { CheckedJson } from '../json/checked-json.ts'
 import { compressedViews } from '../json/gltf-json.ts'
 
-/** Reference: its location, its value, and its target list. */
+/** JSON path of an index in the file, its value, and the list that it refers to. */
 type Reference = [where: string, index: number | undefined, list: readonly unknown[] | undefined]
 
-/** Finds the first invalid index in a file. Expects valid types. */
+/** Finds the first invalid index in a file. Call `shapeProblem` first. Returns an error text, or undefined. */
 export function referenceProblem(json: CheckedJson): string | undefined {
   for (const [where, index, list = []] of referencesOf(json)) {
-    if (index !== undefined && index >= list.length) return `${where} is ${index}, of ${list.length}`
+    if (index !== undefined && index >= list.length)
+      return `${where} is ${index}, but the list has ${list.length} items`
   }
   for (const [i, { source, extensions = {} }] of (json.textures ?? []).entries()) {
     if (source === undefined && Object.keys(extensions).length === 0) return `textures[${i}] has no image`
@@ -15,13 +16,14 @@ export function referenceProblem(json: CheckedJson): string | undefined {
   return dracoAttributeProblem(json)
 }
 
-/** Checks that the primitive also has all attributes in Draco (KHR_draco_mesh_compression). */
+/** Checks that a primitive lists every attribute that its Draco data has (KHR_draco_mesh_compression). */
 function dracoAttributeProblem({ meshes = [] }: CheckedJson): string | undefined {
   for (const [m, { primitives }] of meshes.entries()) {
     for (const [p, { attributes = {}, extensions }] of primitives.entries()) {
       const packed = Object.keys(extensions?.KHR_draco_mesh_compression?.attributes ?? {})
       const extra = packed.find((name) => !Object.hasOwn(attributes, name))
-      if (extra !== undefined) return `meshes[${m}].primitives[${p}] has ${extra} only in Draco's attributes`
+      if (extra !== undefined)
+        return `meshes[${m}].primitives[${p}] lists ${extra} only in its Draco extension`
     }
   }
   return undefined
@@ -106,7 +108,7 @@ function* referencesOf(json: CheckedJson): Generator<Reference> {
   }
 }
 
-/** Returns the textures of a material, without those of extensions. */
+/** Returns the texture infos of a material by name, without the textures of its extensions. */
 function textureInfosOf(material: NonNullable<CheckedJson['materials']>[number]) {
   const { normalTexture, occlusionTexture, emissiveTexture, pbrMetallicRoughness = {} } = material
   const { baseColorTexture, metallicRoughnessTexture } = pbrMetallicRoughness

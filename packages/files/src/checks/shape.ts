@@ -1,6 +1,5 @@
 import { depthProblem } from '../base/json-depth.ts'
 
-/** Returns whether a value has a type. */
 type Check = (value: unknown) => boolean
 
 const isText: Check = (value) => typeof value === 'string'
@@ -16,13 +15,13 @@ const mapOf =
   (check: Check): Check =>
   (value) =>
     isObject(value) && Object.values(value).every(check)
-/** Checks an object with optional fields; ignores other fields. */
+/** Creates a check of an object with optional fields. The object may have further fields. */
 const shape =
   (fields: Record<string, Check>): Check =>
   (value) =>
     isObject(value) &&
     Object.entries(fields).every(([name, check]) => value[name] === undefined || check(value[name]))
-/** Checks an object with required and optional fields. */
+/** Creates a check of an object with required and optional fields. The object may have further fields. */
 const shapeWith =
   (required: Record<string, Check>, fields: Record<string, Check> = {}): Check =>
   (value) =>
@@ -39,7 +38,7 @@ const view = { buffer: isIndex, byteLength: isIndex }
 
 const MESHOPT_MODES: unknown[] = ['ATTRIBUTES', 'TRIANGLES', 'INDICES']
 
-/** Checks a compressed view of EXT_meshopt_compression or a successor. */
+/** Compressed buffer view of EXT_meshopt_compression or KHR_meshopt_compression. */
 const compressedView = shapeWith(
   { ...view, count: isIndex, byteStride: isIndex, mode: (value) => MESHOPT_MODES.includes(value) },
   { byteOffset: isIndex },
@@ -56,7 +55,7 @@ const primitive = shape({
   }),
 })
 
-/** Checks of the lists in a glTF file, for all fields that commands read. */
+/** Check of the items of each top-level list in a glTF file. Covers only fields that commands read. */
 const LISTS: Record<string, Check> = {
   extensionsUsed: isText,
   extensionsRequired: isText,
@@ -118,9 +117,9 @@ const LISTS: Record<string, Check> = {
 }
 
 /**
- * Checks that all fields that commands read have the types of the glTF specification. Later code relies on them.
+ * Checks that all fields that commands read have the types of the glTF specification. Later code relies on these types.
  *
- * @returns the problem, or undefined.
+ * @returns error text, or undefined.
  */
 export function shapeProblem(json: unknown): string | undefined {
   if (!isObject(json)) return 'its JSON is not an object'

@@ -2,18 +2,18 @@ import type { CheckedAccessor, CheckedJson } from '../json/checked-json.ts'
 import { compressedViews } from '../json/gltf-json.ts'
 import { elementBytes } from './accessor-bytes.ts'
 
-/** Limits of decoded geometry: bytes for any file, and bytes per byte of a larger file. */
+/** Decoded geometry may take 128 MiB, or 32 bytes per byte of the file if that is more. */
 const DECODED_BYTES = 2 ** 27
 const DECODED_PER_BYTE = 32
-/** Limits of triangles: for any file, and per byte of a larger file. */
+/** A file may have 250,000 triangles, or one per byte of the file if that is more. */
 const TRIANGLES = 250_000
 const TRIANGLES_PER_BYTE = 1
 
 /**
- * Checks the decoded size of a file against its file size. A small file can decode to a large one: accessors without a
- * view are zeros, views and accessors can be shared, and views can be compressed.
+ * Compares the decoded size of a file's meshes with the size of the file. A small file can decode to large meshes:
+ * accessors without a buffer view contain zeros, several accessors can share data, and data can be compressed.
  *
- * @returns the problem, or undefined.
+ * @returns error text, or undefined.
  */
 export function sizeProblem(
   { accessors = [], bufferViews = [], meshes = [] }: CheckedJson,
@@ -45,7 +45,7 @@ export function sizeProblem(
   return undefined
 }
 
-/** Returns 0 if the accessor is missing or its type unknown, which other checks report. */
+/** Returns 0 if the accessor is missing or its type is unknown. Other checks report both. */
 function bytesOf(accessor: CheckedAccessor | undefined): number {
   return (accessor && accessor.count * elementBytes(accessor)) || 0
 }

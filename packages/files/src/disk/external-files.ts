@@ -13,17 +13,17 @@ import {
 } from '../base/references.ts'
 import { recordRead } from './files-read.ts'
 
-/** Rules for referenced files. */
+/** Options for reading a file that may reference other files. */
 export interface ReadOptions {
-  /** Whether a file may reference files outside its folder, default false. */
+  /** Whether the file may reference files outside its folder. Default false. */
   allowOutside?: boolean | undefined
 }
 
 /**
- * Resolves a URI in a file. Checks the folder after resolving symbolic links.
+ * Resolves a URI in a file to a path. Follows symbolic links before it checks the folder.
  *
- * @param file path of the file with the URI.
- * @returns real path of a regular file.
+ * @param file path of the file that contains the URI.
+ * @returns absolute path of a regular file.
  * @throws FurrowError if the file is missing, not a regular file, too large, remote, or outside the folder of `file`.
  */
 export async function resolveInside(
@@ -35,7 +35,8 @@ export async function resolveInside(
   const folder = dirname(resolve(file))
   const isUrl = allowOutside && /^file:/i.test(uri)
   const target = resolve(folder, isUrl ? pathOfUrl(file, uri, who) : pathOf(file, uri, who))
-  // Checked before resolving links, so that the error does not reveal whether a file outside exists.
+  // The first check comes before any access, so that the error does not reveal whether a file outside the folder
+  // exists.
   if (!allowOutside && !isInside(folder, target)) throw outside(file, uri, who)
   const real = await realpath(target).catch((error) => {
     throw missing(file, uri, who, error)
@@ -48,11 +49,11 @@ export async function resolveInside(
 }
 
 /**
- * Returns a function that reads the references of a file: files, see `resolveInside`, and `data:` URIs. Results are
- * cached by real path.
+ * Returns a function that reads the data of a URI: a file (see `resolveInside`) or a `data:` URI. Caches the results by
+ * path.
  *
- * @param file path of the file with the URIs.
- * @returns a function that throws FurrowError if a reference cannot be read, or their total size is too large.
+ * @param file path of the file that contains the URIs.
+ * @returns a function that throws FurrowError if a file cannot be read, or if all files together are too large.
  */
 export function referenceReader(file: string, who: string, options: ReadOptions = {}): ReadReference {
   const known = new Map<string, Reference>()

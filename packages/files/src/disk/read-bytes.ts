@@ -7,21 +7,24 @@ import { parseJson } from '../base/json-file.ts'
 import { fileProblem, statOf } from './file-status.ts'
 import { recordRead } from './files-read.ts'
 
-/** Paths of files opened by the shell, as in `furrow inspect <(...)`. Other pipes may have no writer, and devices no end. */
+/**
+ * Paths of files that the shell opens, as in `furrow inspect <(...)`. All other paths must be regular files: a pipe may
+ * have no writer, and a device may never end.
+ */
 const OPEN_FILE = /^\/(dev\/stdin|(dev|proc\/self)\/fd\/\d+)$/
 
 /** Limits for reading a file. */
 export interface ReadRules {
   /** Maximum size, bytes. */
   maxBytes?: number
-  /** Checks the first bytes and the size of a file before the rest is read. */
+  /** Called with the first bytes and the size of a file before the rest is read. Throws to reject the file. */
   checkHead?: (head: Buffer, size: number) => void
 }
 
 /**
- * Reads a file, or a pipe opened by a shell.
+ * Reads a file, or a pipe that a shell opened.
  *
- * @param noun noun before the path in errors, e.g. `the face`.
+ * @param noun words before the path in errors, e.g. `the face`.
  * @throws FurrowError if the file cannot be read, or is too large.
  */
 export async function readBytes(
@@ -50,7 +53,7 @@ export async function readBytes(
   }
 }
 
-/** Reads a JSON file; see `readBytes`. Also throws if the file is not JSON, or nested too deeply. */
+/** Reads and parses a JSON file. Throws like `readBytes`, and if the file is not JSON or is nested too deeply. */
 export async function readJson(path: string, who: string, noun = ''): Promise<unknown> {
   const bytes = await readBytes(path, who, noun, { maxBytes: MAX_JSON_BYTES })
   const name = `${noun} ${path}`.trim()
@@ -66,7 +69,7 @@ async function checkPath(path: string, name: string, who: string): Promise<void>
   throw cannotRead(who, name, new Error('it is a URL'), { remedy: 'download the file' })
 }
 
-/** Reads a pipe of unknown size. Throws when it exceeds the limit. */
+/** Reads a pipe to its end. Throws as soon as the data exceeds `maxBytes`. */
 async function readPipe(file: FileHandle, name: string, who: string, maxBytes: number): Promise<Buffer> {
   const chunks: Buffer[] = []
   let length = 0

@@ -1,7 +1,7 @@
 import { concat } from '../base/bytes.ts'
 import type { Glb } from './glb.ts'
 
-/** Appends data to the binary chunk as new buffer views. Existing indices stay valid. */
+/** Appends data to the binary chunk of a glTF file as new buffer views. Existing buffer views do not change. */
 export class BufferViewWriter {
   readonly #glb: Glb
   readonly #parts: Uint8Array[]
@@ -25,7 +25,7 @@ export class BufferViewWriter {
     return this.#glb.json.bufferViews!.push({ buffer: 0, byteOffset, byteLength: bytes.length }) - 1
   }
 
-  /** Replaces the binary chunk. Call once, after the last `add`. */
+  /** Replaces the binary chunk. Call it once, after the last `add`. */
   finish(): void {
     this.#glb.json.buffers![0].byteLength = this.#length
     this.#glb.bin = concat(this.#parts)

@@ -9,12 +9,12 @@ import type { GltfJson } from '../json/gltf-json.ts'
 import type { Glb } from './glb.ts'
 import { listTriangles } from './triangle-lists.ts'
 
-/** JSON of each document that `documentOf` read. */
+/** Source JSON of each document that `documentOf` has read. */
 const sources = new WeakMap<Document, GltfJson>()
 
 /**
- * Decodes a file, compressed or not, without changing it. Converts triangle strips to lists. Drops extensions that
- * glTF-Transform does not know.
+ * Decodes a glTF file to a document of glTF-Transform. Does not change `json` and `bin`. Converts triangle strips and
+ * fans to lists. Drops extensions that glTF-Transform does not know.
  *
  * @param path path of the file, for errors.
  * @throws FurrowError if the file cannot be decoded.
@@ -23,12 +23,13 @@ export async function documentOf({ json, bin }: Glb, path: string, who: string):
   try {
     const problem = decodingProblem(json, bin.length) ?? dracoProblem(json as CheckedJson, bin)
     if (problem) throw new Error(problem)
-    // The logger would warn about unknown extensions.
+    // Hides the warnings of glTF-Transform about unknown extensions.
     const io = new WebIO().setLogger(new Logger(Logger.Verbosity.ERROR)).registerExtensions(ALL_EXTENSIONS)
     io.registerDependencies(await decodersFor(json.extensionsUsed ?? []))
-    // Not a Buffer: its slices are not copies, and accessors need aligned copies.
+    // glTF-Transform calls `slice` to get aligned copies of the data. `slice` of a Node buffer does not copy, so a plain
+    // `Uint8Array` is passed.
     const view = new Uint8Array(bin.buffer as ArrayBuffer, bin.byteOffset, bin.length)
-    // Reading changes the JSON: it moves images from extensions to textures.
+    // `readJSON` changes its JSON: it moves images from extensions to textures.
     const copy = structuredClone(json) as GLTF.IGLTF
     const document = await io.readJSON({ json: copy, resources: { [GLB_BUFFER]: view } })
     const geometryProblem = meshProblem(document) ?? listTriangles(document)
@@ -41,12 +42,12 @@ export async function documentOf({ json, bin }: Glb, path: string, who: string):
   }
 }
 
-/** Returns the JSON from which `documentOf` read a document, including extensions unknown to glTF-Transform. */
+/** Returns the JSON that `documentOf` read. It contains the extensions that glTF-Transform dropped. */
 export function sourceOf(document: Document): GltfJson {
   return sources.get(document) ?? {}
 }
 
-/** Loads the decoders that a file needs. They are slow to start. */
+/** Loads only the decoders that a file needs, because they are slow to start. */
 async function decodersFor(extensions: readonly string[]): Promise<Record<string, unknown>> {
   const decoders: Record<string, unknown> = {}
   if (extensions.includes('KHR_draco_mesh_compression')) {

@@ -1,7 +1,9 @@
 import draco3d from 'draco3d'
 import address from 'draco3d/draco_decoder.wasm?url'
 
-/** Creates the decoder for glTF-Transform. Fetches the WebAssembly, which the package would read from disk. */
+/**
+ * Creates the Draco decoder for glTF-Transform. Fetches its WebAssembly, because the package would read it from disk.
+ */
 export async function createDracoDecoder(): Promise<unknown> {
   const response = await fetch(address)
   return draco3d.createDecoderModule({ wasmBinary: await response.arrayBuffer() })

@@ -7,11 +7,11 @@ import type { Glb } from './glb.ts'
 import { unusable } from './not-gltf.ts'
 
 /**
- * Embeds all referenced buffers and images in the binary chunk. Does not change a file without references.
+ * Copies all referenced buffers and images into the binary chunk. Does not change a file without references.
  *
- * @param glb changed in place; all indices except those of buffers stay valid.
+ * @param glb changed in place. All indices stay valid, except those of buffers.
  * @param path path of the source file, for errors.
- * @throws FurrowError for the first reference that cannot be read, or is truncated.
+ * @throws FurrowError if a referenced file cannot be read, or is shorter than its buffer's `byteLength`.
  */
 export async function embedFiles(glb: Glb, path: string, who: string, read: ReadReference): Promise<void> {
   const { buffers = [], images = [] } = glb.json
@@ -25,7 +25,10 @@ export async function embedFiles(glb: Glb, path: string, who: string, read: Read
   if (images.some(({ uri }) => uri !== undefined)) embedImages(glb, path, who)
 }
 
-/** Joins all buffers with data. Buffers without data are fallbacks of compressed meshes and stay. */
+/**
+ * Joins all buffers that have data, and returns the binary chunk. Buffers without data stay separate: they are the
+ * fallbacks of compressed buffer views.
+ */
 function joinBuffers({ json, references, ...glb }: Glb, path: string, who: string): Uint8Array {
   const { buffers = [], bufferViews = [] } = json
   const parts = new Map<Uint8Array, number>()
@@ -91,7 +94,6 @@ function embedImages(glb: Glb, path: string, who: string): void {
   writer.finish()
 }
 
-/** Returns the file name in a URI, without its extension. */
 function nameOf(uri: string): string {
   const file = uri.replace(/\/+$/, '').replace(/^.*\//s, '')
   return file.replace(/(?<=.)\.[^.]*$/s, '')

@@ -5,10 +5,10 @@ import { type BufferView, compressedViews, type GltfJson } from '../json/gltf-js
 import type { Glb } from './glb.ts'
 import { encodeGlb } from './glb-file.ts'
 
-/** Allowed file extensions of output faces. */
+/** File extensions that an output file may have. */
 export const FACE_EXTENSIONS = ['.glb', '.vrm', '.gltf'] as const
 
-/** File extensions by MIME type. Images of other types stay in the buffer. */
+/** File extension per MIME type. Images with another type stay in the binary buffer. */
 const IMAGE_EXTENSIONS: Readonly<Record<string, string>> = {
   'image/png': 'png',
   'image/jpeg': 'jpg',
@@ -18,9 +18,11 @@ const IMAGE_EXTENSIONS: Readonly<Record<string, string>> = {
 }
 
 /**
- * Returns the files of a face: one for `.glb` and `.vrm`; for `.gltf`, also a buffer and images beside it.
+ * Returns the files to write for a glTF file. For `.glb` and `.vrm` this is one file. For `.gltf` it is the JSON, a
+ * binary buffer, and one file per image, all in one folder.
  *
- * @param isFree returns whether a file beside the face may use a path; otherwise its number is increased.
+ * @param isFree returns whether a buffer or image may be written to a path. If not, the number in its name is
+ *   increased.
  */
 export function filesOfFace(
   glb: Glb,
@@ -64,7 +66,10 @@ function splitFile(glb: Glb, path: string, isFree: (path: string) => boolean): O
 
 type Image = NonNullable<GltfJson['images']>[number]
 
-/** Returns the views that contain only an image of a known format, with the images that use them. */
+/**
+ * Finds the buffer views that contain nothing but an image with a known MIME type. Returns the images that use each
+ * buffer view.
+ */
 function imageViews(json: GltfJson): Map<number, Image[]> {
   const views = new Map<number, Image[]>()
   for (const image of json.images ?? []) {
@@ -84,7 +89,7 @@ function imageViews(json: GltfJson): Map<number, Image[]> {
   return views
 }
 
-/** Removes views. Returns the bytes of the remaining views. */
+/** Removes buffer views from the JSON. Returns the binary chunk without their bytes. */
 function removeViews(json: GltfJson, bin: Uint8Array, removed: ReadonlyMap<number, unknown>): Uint8Array {
   if (!json.bufferViews) return bin
   const moved = new Map<number, number>()
@@ -102,7 +107,7 @@ function removeViews(json: GltfJson, bin: Uint8Array, removed: ReadonlyMap<numbe
   )
 }
 
-/** Closes the gaps between views, keeping their alignment and overlaps. Returns the bytes. */
+/** Closes gaps between buffer views, keeping their alignment and overlaps. Returns the new binary chunk. */
 function gather(views: readonly BufferView[], bin: Uint8Array): Uint8Array {
   const parts: Uint8Array[] = []
   let [length, end, shift] = [0, 0, 0]
@@ -119,13 +124,13 @@ function gather(views: readonly BufferView[], bin: Uint8Array): Uint8Array {
     parts.push(rest)
     length += rest.length
     end += rest.length
-    // An empty last view would start beyond the buffer.
+    // After the gaps are closed, an empty last buffer view would start at the end of the buffer, i.e. outside it.
     view.byteOffset = byteLength === 0 ? 0 : byteOffset + shift
   }
   return concat(parts)
 }
 
-/** Changes every view index anywhere in the JSON, also in unknown extensions. */
+/** Replaces every `bufferView` index in the JSON, also in unknown extensions. */
 function changeViews(value: unknown, change: (index: number) => number): void {
   if (typeof value !== 'object' || value === null) return
   for (const [key, item] of Object.entries(value)) {

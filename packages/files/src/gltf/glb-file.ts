@@ -14,15 +14,16 @@ import { CHOOSE_FACE, otherFormat, unusable } from './not-gltf.ts'
 const MAGIC = 0x46546c67
 const JSON_CHUNK = 0x4e4f534a
 const BIN_CHUNK = 0x004e4942
-/** Offset of the data of the first chunk, bytes. */
+/** Byte offset of the JSON in a `.glb`. */
 const JSON_START = 20
 
 /**
- * Opens a `.glb`, `.vrm` or `.gltf`, identified by its content. Embeds referenced buffers and images in the binary chunk.
+ * Parses a `.glb`, `.vrm` or `.gltf`, which is recognised by its content. Copies referenced buffers and images into the
+ * binary chunk.
  *
  * @param path path of the file, for errors.
- * @throws FurrowError if the file is truncated, not glTF 2.0, has unreadable references, or would take too much time or
- *   memory, see `costProblem`.
+ * @throws FurrowError if the file is truncated, is not glTF 2.0, has unreadable references, or would take too much time
+ *   or memory (see `costProblem`).
  */
 export async function openGlb(
   bytes: Uint8Array,
@@ -37,7 +38,7 @@ export async function openGlb(
   return glb
 }
 
-/** Splits a file into its parts. Throws if it is truncated, or not glTF 2.0. */
+/** Splits a file into JSON and binary chunk. Throws if the file is truncated, or is not glTF 2.0. */
 export function decodeGlb(bytes: Uint8Array, path: string, who: string): Glb {
   checkHead(bytes, bytes.length, path, who)
   const [start, end] = isJson(bytes) ? [0, bytes.length] : [JSON_START, JSON_START + uint32(bytes, 12)]
@@ -58,7 +59,6 @@ export function decodeGlb(bytes: Uint8Array, path: string, who: string): Glb {
   return { json, bin, fileBytes: bytes.length, bytes, references: new Map() }
 }
 
-/** Encodes the parts as a `.glb`. */
 export function encodeGlb({ json, bin }: Glb): Uint8Array {
   const text = padded(utf8(JSON.stringify(json)), 0x20)
   const data = padded(bin, 0)
@@ -68,7 +68,7 @@ export function encodeGlb({ json, bin }: Glb): Uint8Array {
   return concat([header, text, words(data.length, BIN_CHUNK), data])
 }
 
-/** Returns whether the first bytes are those of a `.gltf` file. */
+/** Returns whether a file starts like JSON, so that it may be a `.gltf`. */
 function isJson(head: Uint8Array): boolean {
   return /^[\s\ufeff]*\{/.test(fromUtf8(head.subarray(0, 64)))
 }
@@ -76,9 +76,9 @@ function isJson(head: Uint8Array): boolean {
 /**
  * Checks the first bytes and the size of a file.
  *
- * @param head at least the first 20 bytes, if the file has as many.
- * @throws FurrowError if the file is neither JSON nor binary glTF 2.0, is truncated before the end of its JSON, or is too
- *   large.
+ * @param head first bytes of the file, at least 20 unless the file is shorter.
+ * @throws FurrowError if the file is neither JSON nor binary glTF 2.0, is truncated before the end of its JSON, or is
+ *   too large.
  */
 export function checkHead(head: Uint8Array, size: number, path: string, who: string): void {
   const problem = isJson(head) ? undefined : headerProblem(head, size)
@@ -101,7 +101,10 @@ function headerProblem(head: Uint8Array, size: number): string | undefined {
   return undefined
 }
 
-/** Returns the data of the chunk at `start`: empty if it is not a binary chunk, undefined if it is truncated. */
+/**
+ * Returns the data of the binary chunk at `start`. Returns an empty array if there is no binary chunk, and undefined if
+ * the chunk is truncated.
+ */
 function binaryChunk(bytes: Uint8Array, start: number): Uint8Array | undefined {
   if (bytes.length < start + 8) return new Uint8Array()
   if (uint32(bytes, start + 4) !== BIN_CHUNK) return new Uint8Array()
@@ -118,7 +121,6 @@ function uint32(bytes: Uint8Array, offset: number): number {
   return new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength).getUint32(offset, true)
 }
 
-/** Encodes 32-bit numbers, little-endian. */
 function words(...values: number[]): Uint8Array {
   const view = new DataView(new ArrayBuffer(4 * values.length))
   for (const [i, value] of values.entries()) view.setUint32(4 * i, value, true)

@@ -1,15 +1,15 @@
 import type { Reference } from '../base/references.ts'
 import type { GltfJson } from '../json/gltf-json.ts'
 
-/** glTF file as JSON and binary chunk. Commands edit both in place, so that all other content is kept. */
+/** Parsed glTF file. Commands edit its JSON and binary chunk in place, so that they keep all other content. */
 export interface Glb {
   json: GltfJson
-  /** Binary chunk; may be empty. */
+  /** Binary chunk. May be empty. */
   bin: Uint8Array
-  /** Total size of all source files. */
+  /** Total size of the file and its referenced files. */
   fileBytes: number
-  /** Original file. */
+  /** Original bytes of the file, without referenced files. */
   bytes: Uint8Array
-  /** Referenced files by URI. Their bytes are also in the binary chunk. */
+  /** Referenced files by URI. The binary chunk contains copies of their bytes. */
   references: ReadonlyMap<string, Reference>
 }

@@ -2,11 +2,10 @@ import { FurrowError } from 'furrow'
 import { type FileKind, kindOf } from '../base/file-kind.ts'
 
 const BLENDER = 'open it in Blender and export glTF 2.0 (.glb)'
-/** Remedy for a file of another kind. */
 export const CHOOSE_FACE = 'choose the face file'
 const NOT_TEXTURE = 'choose the face file, not a texture'
 
-/** Remedies for files that are not glTF, with optional notes. */
+/** Remedy per kind of file, with an optional note that follows the kind in the error. */
 const REMEDIES: { [K in FileKind]?: readonly [remedy: string, note?: string] } = {
   empty: ['download or export it again'],
   'an FBX file': [`convert it with FBX2glTF, or ${BLENDER}`],
@@ -25,14 +24,16 @@ const REMEDIES: { [K in FileKind]?: readonly [remedy: string, note?: string] } =
   text: [CHOOSE_FACE, ', not glTF'],
 }
 
-/** Identifies a file that is not glTF by its first bytes, with a remedy. Returns undefined if the kind is unknown. */
+/**
+ * Recognises a file that is not glTF by its first bytes. Returns an error text and a remedy, or undefined if the kind
+ * is unknown.
+ */
 export function otherFormat(bytes: Uint8Array): { problem: string; remedy: string } | undefined {
   const kind = kindOf(bytes)
   const known = kind && REMEDIES[kind]
   return known && { problem: `it is ${kind}${known[1] ?? ''}`, remedy: known[0] }
 }
 
-/** Creates the error for a file that is not valid glTF 2.0. */
 export function unusable(
   path: string,
   who: string,

@@ -3,7 +3,7 @@ import type { ReadOptions } from '../disk/external-files.ts'
 import { documentOf } from './document.ts'
 import { readGlbFile } from './read-glb-file.ts'
 
-/** Reads and decodes a file; see `readGlbFile` and `documentOf`. */
+/** Reads a glTF file and decodes it. Throws like `readGlbFile` and `documentOf`. */
 export async function readDocument(path: string, who: string, options?: ReadOptions): Promise<Document> {
   return documentOf(await readGlbFile(path, who, options), path, who)
 }

@@ -4,9 +4,9 @@ import type { Glb } from './glb.ts'
 import { checkHead, openGlb } from './glb-file.ts'
 
 /**
- * Reads a `.glb`, `.vrm` or `.gltf` with its referenced files; see `openGlb`.
+ * Reads a `.glb`, `.vrm` or `.gltf` with its referenced files.
  *
- * @throws FurrowError also if a file is missing, or a reference is not allowed.
+ * @throws FurrowError like `openGlb`, and if a file is missing, or a reference is not allowed.
  */
 export async function readGlbFile(path: string, who: string, options: ReadOptions = {}): Promise<Glb> {
   const bytes = await readBytes(path, who, 'the face', {

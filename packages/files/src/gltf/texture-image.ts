@@ -2,18 +2,20 @@ import { FurrowError } from 'furrow'
 import { imageTypeOf, type Ktx2Header, readKtx2Header } from 'furrow/internal'
 import type { Glb } from './glb.ts'
 
-/** Encoded image of a texture. */
 export interface TextureImage {
   bytes: Uint8Array
-  /** MIME type by the first bytes, otherwise as declared in the file, otherwise `unknown`. */
+  /**
+   * MIME type, recognised by the first bytes of the image. If they are unknown, the type that the file declares, or
+   * `unknown`.
+   */
   mimeType: string
   name: string
 }
 
-/** Extensions for textures with images in other formats. */
+/** Extensions that add an image in another format to a texture. */
 const IMAGE_EXTENSIONS = ['KHR_texture_basisu', 'EXT_texture_webp', 'EXT_texture_avif']
 
-/** Returns the image of a texture. Throws if the file does not contain it. */
+/** Returns the encoded image of a texture. Throws if the file does not contain the image. */
 export function imageOf({ json, bin }: Glb, texture: number, who: string): TextureImage {
   const { source, extensions = {}, name } = json.textures?.[texture] ?? {}
   const other = IMAGE_EXTENSIONS.map((key) => (extensions[key] as { source?: number } | undefined)?.source)
@@ -42,7 +44,6 @@ export function imageOf({ json, bin }: Glb, texture: number, who: string): Textu
   }
 }
 
-/** Returns whether an image is a KTX 2 file. */
 export function isKtx2({ mimeType }: TextureImage): boolean {
   return mimeType === 'image/ktx2'
 }

@@ -8,14 +8,17 @@ import { readHeader } from '../ktx2/ktx2-header.ts'
 import type { Glb } from './glb.ts'
 import { imageOf, isKtx2 } from './texture-image.ts'
 
-/** Cache of decoded textures by index, because areas share images and maps share arrays. */
+/**
+ * Cache of decoded textures by texture index. Several areas can share an image, and several maps can share a KTX 2
+ * array.
+ */
 type Cache<T> = WeakMap<Glb, Map<number, Promise<T>>>
 
 const images: Cache<Pixels> = new WeakMap()
 const arrays: Cache<DecodedArray> = new WeakMap()
 
 /**
- * Decodes the image or KTX 2 array slice of a texture info.
+ * Decodes the image of a texture, or one slice of a KTX 2 array.
  *
  * @throws FurrowError if the image cannot be decoded, or the slice is missing.
  */
@@ -41,12 +44,12 @@ export async function pixelsOf(
   })
 }
 
-/** Decodes all layers of a KTX 2 texture. Throws if it cannot be decoded. */
+/** Decodes all slices of a KTX 2 texture. Throws if it cannot be decoded. */
 export function arrayOf(glb: Glb, index: number, who: string): Promise<DecodedArray> {
   return cached(arrays, glb, index, who, () => decodeArray(glb, index, who))
 }
 
-/** Reads the size of a texture from its header. Throws if it cannot be decoded. */
+/** Reads the size of a texture from its header. Throws if the header cannot be read. */
 export async function sizeOf(
   glb: Glb,
   index: number,
@@ -72,7 +75,7 @@ async function cached<T>(
   return texture
 }
 
-/** Decoded size of the cached textures of each file. */
+/** Total decoded size of the cached textures per file. */
 const decoded = new WeakMap<Glb, DecodedBytes>()
 
 async function reserve(glb: Glb, index: number, who: string): Promise<void> {

@@ -6,12 +6,15 @@ const { TRIANGLE_STRIP, TRIANGLE_FAN } = Primitive.Mode
 const MAX_TRIANGLES = 4_000_000
 
 /**
- * Converts triangle strips and fans to lists. Drops degenerate triangles that join strips.
+ * Converts triangle strips and fans to triangle lists. Drops degenerate triangles.
  *
- * @returns the problem, or undefined.
+ * @returns error text, or undefined.
  */
 export function listTriangles(document: Document): string | undefined {
-  /** Converted lists by the indices, or by the positions if there are no indices. */
+  /**
+   * Index accessor of each converted list. The key is the accessor of the indices. If there are none, it is the
+   * accessor of the positions.
+   */
   const lists = {
     [TRIANGLE_STRIP]: new Map<Accessor, Accessor>(),
     [TRIANGLE_FAN]: new Map<Accessor, Accessor>(),
@@ -39,7 +42,7 @@ export function listTriangles(document: Document): string | undefined {
   return undefined
 }
 
-/** Returns three vertices per triangle, in the order of glTF 2.0 (3.7.2.1). */
+/** Returns three vertex indices per triangle, in the order of glTF 2.0 (3.7.2.1). */
 function cornersOf(mode: number, count: number, indices: ArrayLike<number> | null | undefined): Uint32Array {
   const corners = new Uint32Array(3 * Math.max(0, count - 2))
   let length = 0

@@ -16,14 +16,12 @@ const FORMATS = {
 
 export type ImageType = keyof typeof FORMATS
 
-/** Formats of authored images. */
 const PAINTED: readonly ImageType[] = ['image/png', 'image/jpeg', 'image/webp']
-/** Formats of images in glTF files. */
 export const GLTF_IMAGES: readonly ImageType[] = [...PAINTED, 'image/avif']
-/** Formats of images that are read at full precision. */
+/** Allowed formats for height maps, and for images that become layers of a texture array. */
 export const EXACT_IMAGES: readonly ImageType[] = [...PAINTED, 'image/tiff']
 
-/** Header of an image, known before decoding. */
+/** Properties of an image that are known before decoding. */
 export interface ImageHeader {
   type: ImageType
   width: number
@@ -32,7 +30,7 @@ export interface ImageHeader {
 }
 
 /**
- * Checks the format of an image by its bytes, before a decoder reads it.
+ * Recognises the format of an image by its first bytes, before a decoder reads it.
  *
  * @param name name of the image, for errors.
  * @param types allowed formats.
@@ -77,7 +75,6 @@ export function checkImageSize(
   checkDecodedBytes(decodedBytes, name, who)
 }
 
-/** Formats a list, e.g. `PNG, JPEG or WebP`. */
 export function formatNames(types: readonly ImageType[]): string {
   const names = types.map((type) => FORMATS[type]).join(', ')
   return names.replace(/, ([^,]*)$/, ' or $1')

@@ -6,7 +6,7 @@ import type { DecodedImage, Pixels } from './pixels.ts'
 import { encodePortablePng } from './png.ts'
 
 /**
- * Reads the header of an image. Decodes WebP and AVIF to get their size.
+ * Reads the format and size of an image. Decodes WebP and AVIF to get their size.
  *
  * @param name name of the image, for errors.
  * @param types allowed formats.
@@ -27,8 +27,8 @@ export async function measureImage(
 }
 
 /**
- * Decodes an image to 8 bits per channel, without colour profiles, not premultiplied. PNG gives the same result as
- * libvips; lossy formats may differ by 1.
+ * Decodes an image to 8 bits per channel. Ignores colour profiles and does not premultiply alpha. Decodes PNG exactly
+ * like libvips in Node; channels of lossy formats may differ by 1.
  *
  * @throws FurrowError like `measureImage`, and if the image cannot be decoded.
  */
@@ -52,12 +52,12 @@ export async function decodeImage(
   }
 }
 
-/** Encodes a map as PNG with the same channels. For packed faces, use `encodePortablePng`, which is deterministic. */
+/** Encodes a map as PNG. The function of this name for Node writes other bytes, because it uses libvips. */
 export async function encodeMap(pixels: Pixels): Promise<Uint8Array> {
   return encodePortablePng(pixels)
 }
 
-/** Decodes an image completely to check it. Throws like `decodeImage`. */
+/** Decodes a whole image to check it. Throws like `decodeImage`. */
 export async function checkDecodable(bytes: Uint8Array, name: string, who: string): Promise<void> {
   await measureImage(bytes, name, who)
   const bitmap = await bitmapOf(bytes, name, who)

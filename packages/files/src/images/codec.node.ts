@@ -3,10 +3,10 @@ import { withImageErrors } from './image-errors.ts'
 import { openImage } from './open-image.ts'
 import type { DecodedImage } from './pixels.ts'
 
-/** Node implementation with libvips, which uses a tenth of the memory; see codec.browser.ts. */
+/** Counterpart of `codec.browser.ts` for Node. libvips encodes with a tenth of the memory that fast-png needs. */
 export { encodeMap } from './encode.ts'
 
-/** Node implementation with libvips; see codec.browser.ts. */
+/** Reads the format and size of an image with libvips. Documented in `codec.browser.ts`. */
 export async function measureImage(
   bytes: Uint8Array,
   name: string,
@@ -16,7 +16,7 @@ export async function measureImage(
   return openImage(bytes, name, who, types)
 }
 
-/** Node implementation with libvips; see codec.browser.ts. */
+/** Decodes an image with libvips. Documented in `codec.browser.ts`. */
 export async function decodeImage(
   bytes: Uint8Array,
   name: string,
@@ -29,10 +29,10 @@ export async function decodeImage(
   return { type, width: info.width, height: info.height, channels: info.channels, data }
 }
 
-/** Node implementation with libvips, which decodes in parts; see codec.browser.ts. */
+/** Decodes a whole image with libvips to check it, strip by strip. Throws like `decodeImage`. */
 export async function checkDecodable(bytes: Uint8Array, name: string, who: string): Promise<void> {
   const { image, width, height } = await openImage(bytes, name, who)
-  // Decoding the last row decodes all rows above, and is ten times faster than computing statistics.
+  // Decoding the last row decodes all rows above it, and is ten times faster than `image.stats()`.
   const lastRow = image.extract({ left: 0, top: height - 1, width, height: 1 })
   await withImageErrors(name, who, () => lastRow.raw().toBuffer())
 }

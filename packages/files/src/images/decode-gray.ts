@@ -3,9 +3,9 @@ import { decodeImage } from '#images'
 import { channelOf, isOpaque, transparencyError } from './pixels.ts'
 
 /**
- * Decodes a painted area to gray. Colours are converted to luma (ITU-R BT.601).
+ * Decodes a painted area to gray. Converts colours to luma (ITU-R BT.601).
  *
- * @throws FurrowError if the image cannot be decoded, see `decodeImage`, or is truncated or transparent.
+ * @throws FurrowError like `decodeImage`, and if the image is transparent.
  */
 export async function decodeGray(bytes: Uint8Array, path: string, who: string): Promise<GrayImage> {
   const image = await decodeImage(bytes, path, who)

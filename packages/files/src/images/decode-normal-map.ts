@@ -2,15 +2,15 @@ import type { RgbaImage } from 'furrow/author'
 import { withImageErrors } from './image-errors.ts'
 import { openImage } from './open-image.ts'
 
-/** Default maximum side, texels. Drawing over a map takes several times its memory. */
+/** Default maximum width and height, texels. Drawing strokes over a map takes several times the memory of the map. */
 const DEFAULT_MAX_SIDE = 4096
 
 /**
- * Decodes a normal map to RGBA bytes with alpha 255. Colour profiles are ignored.
+ * Decodes a normal map to RGBA bytes with alpha 255. Ignores colour profiles.
  *
  * @param name name of the image, for errors.
- * @param size target side, texels; default unchanged, at most 4096.
- * @throws FurrowError if the image cannot be decoded, see `openImage`.
+ * @param size width and height of the result, texels. Default: the size of the image, scaled down to at most 4096.
+ * @throws FurrowError like `openImage`, and if the image cannot be decoded.
  */
 export async function decodeNormalMap(
   bytes: Uint8Array,

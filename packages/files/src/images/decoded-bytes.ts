@@ -2,7 +2,7 @@ import { FurrowError } from 'furrow'
 import { MAX_IMAGE_BYTES } from 'furrow/internal'
 
 /**
- * Checks the decoded size from a header, before memory is allocated.
+ * Checks the decoded size that a header declares, before memory is allocated.
  *
  * @param name name of the image or file, for errors.
  * @throws FurrowError if the size exceeds the limit.

@@ -1,6 +1,5 @@
 import type { ImageType } from './check-image.ts'
 
-/** Header of an image. */
 export interface Header {
   width: number
   height: number
@@ -8,34 +7,34 @@ export interface Header {
   texelBytes: number
 }
 
-/** Reads the header of a complete PNG or JPEG. Returns undefined for other formats, or if there is no header. */
+/** Reads the header of a PNG or JPEG. Returns undefined for other formats, and for a JPEG without a frame. */
 export function headerOf(bytes: Uint8Array, type: ImageType): Header | undefined {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength)
   if (type === 'image/png') return pngHeader(view)
   return type === 'image/jpeg' ? jpegHeader(view) : undefined
 }
 
-/** Channels by PNG colour type (PNG, 11.2.1). A palette has three. */
+/** Number of channels per PNG colour type (PNG, 11.2.1). Palettes decode to three channels. */
 const PNG_CHANNELS: Record<number, number> = { 0: 1, 2: 3, 3: 3, 4: 2, 6: 4 }
 
-/** Reads width, height, bits per channel and colour type from the first chunk, at byte 16. */
+/** Reads the IHDR chunk: width at byte 16, height at 20, bits per channel at 24, colour type at 25. */
 function pngHeader(view: DataView): Header {
   const channels = PNG_CHANNELS[view.getUint8(25)] ?? 4
   const bytesPerChannel = view.getUint8(24) > 8 ? 2 : 1
   return { width: view.getUint32(16), height: view.getUint32(20), texelBytes: channels * bytesPerChannel }
 }
 
-// Frame markers (ITU-T T.81, table B.1): 0xc0 to 0xcf, except tables and extensions.
+// Markers of frames (ITU-T T.81, table B.1). Three markers in this range do not start frames.
 const FIRST_FRAME = 0xc0
 const LAST_FRAME = 0xcf
 const NO_FRAMES = [0xc4, 0xc8, 0xcc]
 
-/** Reads the size from the first frame. Segments are a two-byte marker, a length, and data. */
+/** Reads the size from the first frame. A segment is a two-byte marker, a two-byte length, and data. */
 function jpegHeader(view: DataView): Header | undefined {
   for (let at = 2; at + 10 <= view.byteLength; ) {
     const marker = view.getUint8(at + 1)
     if (marker === 0xff) {
-      // Padding before a marker.
+      // Skips a fill byte before a marker.
       at++
     } else if (marker < FIRST_FRAME || marker > LAST_FRAME || NO_FRAMES.includes(marker)) {
       at += 2 + view.getUint16(at + 2)

@@ -5,24 +5,25 @@ import { EXACT_IMAGES } from './check-image.ts'
 import { withImageErrors } from './image-errors.ts'
 import { openImage } from './open-image.ts'
 
-/** Gray image in the precision of its file. */
+/** Gray image with the bit depth of its file. */
 export interface HeightImage {
   width: number
   height: number
   bits: 8 | 16
-  /** Values, 0 to 2^bits - 1. */
+  /** Values, `0` to `2 ** bits - 1`. */
   data: Uint8Array | Uint16Array
 }
 
-/** Maximum difference between the channels of a gray texel, as a fraction of the full range. */
+/** Maximum difference between the channels of a gray texel, as a fraction of the largest value of a channel. */
 const GRAY_TOLERANCE = 0.02
 
 const HINTS = { limit: 'PNG or TIFF, 8 or 16 bits', remedy: 'check the path and the file' }
 
 /**
- * Reads heights from a gray 8-bit or 16-bit image (PNG, TIFF, JPEG or WebP). Ignores colour profiles and transparency.
+ * Reads a gray height map with 8 or 16 bits (PNG, TIFF, JPEG or WebP). Ignores colour profiles and transparency.
  *
- * @throws FurrowError if the file has another format, is truncated, or is larger than 8192 texels per side.
+ * @throws FurrowError if the file has another format, is truncated, has colours, or is larger than 8192 texels per
+ *   side.
  */
 export async function readHeightImage(path: string, who: string): Promise<HeightImage> {
   const bytes = await readBytes(path, who, 'the image')
@@ -40,7 +41,7 @@ export async function readHeightImage(path: string, who: string): Promise<Height
   const bits = depth === 'uchar' ? 8 : 16
   const decode = () => readPixels(image.removeAlpha(), bits, opened.channels < 3)
   const { data, channels } = await withImageErrors(path, who, decode, HINTS)
-  const full = 2 ** bits - 1
+  const full = bits === 8 ? 0xff : 0xffff
   if (channels === 1) return { width, height, bits, data }
   const gray = new (bits === 8 ? Uint8Array : Uint16Array)(width * height)
   for (let i = 0; i < gray.length; i++) {
@@ -60,7 +61,7 @@ export async function readHeightImage(path: string, who: string): Promise<Height
 }
 
 async function readPixels(image: Sharp, bits: 8 | 16, isGray: boolean) {
-  // Without a 16-bit colour space, sharp reduces values to 8 bits.
+  // In the default colour space, sharp would reduce 16-bit values to 8 bits.
   const space = bits === 16 ? (isGray ? 'grey16' : 'rgb16') : isGray ? 'b-w' : 'srgb'
   const { data, info } = await image
     .toColourspace(space)

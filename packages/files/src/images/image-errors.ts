@@ -1,10 +1,9 @@
 import { FurrowError } from 'furrow'
 import { cannotRead } from '../base/errors.ts'
 
-/** Remedy for a damaged image. */
 export const REPAIR = 'save it again as PNG; it may be truncated'
 
-/** Runs a decoder and converts its errors to FurrowError with the hints. */
+/** Runs a decoder. Converts its errors to FurrowError with the given limit and remedy. */
 export async function withImageErrors<T>(
   name: string,
   who: string,

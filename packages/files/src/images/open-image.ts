@@ -2,7 +2,7 @@ import sharp, { type Metadata, type Sharp } from 'sharp'
 import { checkImageSize, checkImageType, formatNames, GLTF_IMAGES, type ImageHeader } from './check-image.ts'
 import { withImageErrors } from './image-errors.ts'
 
-/** Formats that libvips must not read, in any of its builds. */
+/** Formats that libvips must not read. A build of libvips supports only some of them. */
 const BLOCKED = [
   'Analyze',
   'Csv',
@@ -27,18 +27,18 @@ const BLOCKED = [
   'Vips',
 ]
 
-// Second line of defence after `checkImageType`: blocks the other readers of libvips, in all threads. Blocking all
-// readers and then allowing some would break images that another thread reads meanwhile.
+// Second line of defence after `checkImageType`. The block applies to all threads of the process. Do not block all
+// readers and then allow some: another thread could read an image in the meantime.
 sharp.block({ operation: BLOCKED.map((format) => `VipsForeignLoad${format}`) })
 
-/** Image with a checked header, ready to be decoded. */
+/** Image whose header has been checked. It is not decoded yet. */
 export interface OpenedImage extends ImageHeader, Pick<Metadata, 'channels' | 'depth'> {
-  /** Decode once. Ignores colour profiles, and throws if truncated. */
+  /** Lazy image, to be decoded once. Ignores colour profiles. Decoding throws if the image is truncated. */
   image: Sharp
 }
 
 /**
- * Reads the header of an image.
+ * Reads and checks the header of an image.
  *
  * @param name name of the image, for errors.
  * @param types allowed formats.
@@ -61,7 +61,7 @@ export async function openImage(
   return { image, type, width, height, channels, depth, decodedBytes }
 }
 
-/** Bytes per channel by libvips's format name; others have up to 8. */
+/** Bytes per channel for each depth of libvips. Depths that are not listed have up to 8 bytes. */
 const DEPTH_BYTES: Record<string, number | undefined> = {
   uchar: 1,
   char: 1,

@@ -1,7 +1,7 @@
 import { FurrowError, type GrayImage } from 'furrow'
 import type { ImageType } from './check-image.ts'
 
-/** Interleaved 8-bit channels, row 0 at the top. */
+/** Image with interleaved 8-bit channels. Row 0 is at the top. Two channels are gray and alpha. */
 export interface Pixels {
   width: number
   height: number
@@ -9,19 +9,16 @@ export interface Pixels {
   data: Uint8Array
 }
 
-/** Decoded image and its original format. */
 export interface DecodedImage extends Pixels {
   type: ImageType
 }
 
-/** Returns whether all texels are opaque. */
 export function isOpaque({ channels, data }: Pixels): boolean {
   if (channels === 1 || channels === 3) return true
   for (let i = channels - 1; i < data.length; i += channels) if (data[i] !== 255) return false
   return true
 }
 
-/** Removes the alpha channel. */
 export function withoutAlpha(image: Pixels): Pixels {
   const { channels, data } = image
   if (channels === 1 || channels === 3) return image
@@ -29,7 +26,7 @@ export function withoutAlpha(image: Pixels): Pixels {
   return { ...image, channels: channels === 2 ? 1 : 3, data: kept }
 }
 
-/** Converts to RGBA; missing alpha becomes 255. */
+/** Converts to RGBA. Images without alpha get alpha 255. */
 export function toRgba({ width, height, channels, data }: Pixels): Uint8Array {
   if (channels === 4) return data
   const rgba = new Uint8Array(4 * width * height).fill(255)
@@ -40,7 +37,11 @@ export function toRgba({ width, height, channels, data }: Pixels): Uint8Array {
   return rgba
 }
 
-/** Returns one channel, 0 = R to 3 = A, like glTF: gray counts as R, G and B, and a missing alpha as 1. */
+/**
+ * Returns one channel of an image. Gray images have equal R, G and B, and images without alpha have alpha 255.
+ *
+ * @param channel 0 = R, 1 = G, 2 = B, 3 = A.
+ */
 export function channelOf(pixels: Pixels, channel: number): GrayImage {
   const { width, height, channels, data } = pixels
   const hasAlpha = channels === 2 || channels === 4
@@ -51,7 +52,6 @@ export function channelOf(pixels: Pixels, channel: number): GrayImage {
   return { width, height, data: gray }
 }
 
-/** Creates the error for a transparent image that must be opaque. */
 export function transparencyError(path: string, who: string, remedy: string): FurrowError {
   return new FurrowError({
     who,

@@ -1,6 +1,6 @@
 import type { Pixels } from './pixels.ts'
 
-/** Consecutive source texels of a target texel, and their weights, which sum to 1. */
+/** Source texels that contribute to a target texel: the index of the first, and the weights of all, which sum to 1. */
 interface Taps {
   first: number
   weights: number[]
@@ -8,7 +8,7 @@ interface Taps {
 
 /**
  * Scales an image to a square with the filter of Mitchell and Netravali (Reconstruction Filters in Computer Graphics,
- * 1988, B = C = 1/3). Gives the same texels in Node and browsers.
+ * 1988, B = C = 1/3). The result is the same in Node and in all browsers.
  */
 export function scaleImage({ width, height, channels, data }: Pixels, size: number): Pixels {
   const rowTaps = tapsOf(width, size)
@@ -20,7 +20,7 @@ export function scaleImage({ width, height, channels, data }: Pixels, size: numb
     }
   }
   const columnTaps = tapsOf(height, size)
-  // The filter overshoots, so values are clamped. Halves round to even.
+  // The clamped array rounds values, and clamps the overshoot of the filter.
   const scaled = new Uint8ClampedArray(size * size * channels)
   for (let y = 0; y < size; y++) {
     for (let x = 0; x < size; x++) {
@@ -39,7 +39,7 @@ export function scaleImage({ width, height, channels, data }: Pixels, size: numb
   return { width: size, height: size, channels, data: new Uint8Array(scaled.buffer) }
 }
 
-/** Writes a texel as the weighted sum of source texels, `step` values apart. */
+/** Writes one texel: the weighted sum of source texels that are `step` array elements apart. */
 function addUp(
   weights: readonly number[],
   source: Uint8Array | Float32Array,
@@ -56,7 +56,10 @@ function addUp(
   }
 }
 
-/** Returns taps around each target texel: two texels of the coarser image to either side, clipped at the edges. */
+/**
+ * Returns the source texels and weights of each target texel in one direction. On either side of the target texel, the
+ * filter covers two texels of the coarser image (source or target). It ends at the edges of the image.
+ */
 function tapsOf(from: number, to: number): Taps[] {
   const scale = from / to
   const unit = Math.max(scale, 1)
@@ -70,7 +73,7 @@ function tapsOf(from: number, to: number): Taps[] {
   })
 }
 
-/** Mitchell-Netravali filter (equation 8). */
+/** Mitchell-Netravali filter with B = C = 1/3 (equation 8). */
 function mitchell(distance: number): number {
   const x = Math.abs(distance)
   if (x >= 2) return 0

@@ -14,7 +14,7 @@ export interface CheckedAccessor {
   }
 }
 
-/** Properties that the checks read in addition to those in `GltfJson`. `shapeProblem` has checked their types. */
+/** glTF JSON with the additional properties that the checks read. `shapeProblem` has checked their types. */
 export interface CheckedJson
   extends Omit<GltfJson, 'accessors' | 'materials' | 'meshes' | 'nodes' | 'textures'> {
   accessors?: CheckedAccessor[]

@@ -3,7 +3,10 @@ import { parseCorrections, type ShapeCorrection, WRINKLE_MAPS } from 'furrow/int
 import { type GltfJson, targetNamesOf } from './gltf-json.ts'
 import { namesOfMesh } from './target-names.ts'
 
-/** Reads corrections of a material's blendshapes. Malformed ones are skipped and reported in `problem`, because renderers do not need them. */
+/**
+ * Reads from a material's extension the user's corrections of automatically recognised blendshapes. Skips malformed
+ * corrections and describes them in `problem`, because renderers do not need corrections.
+ */
 export function correctionsIn(
   { materials = [] }: GltfJson,
   material: number,
@@ -17,7 +20,7 @@ export function correctionsIn(
   return { corrections, problem: `${errors[0].message}${others}` }
 }
 
-/** Lists blendshapes in corrections that no mesh with the material has, e.g. `blendshape "key_12" of mesh "Head"`. */
+/** Lists the corrected blendshapes that no mesh with the material has, e.g. `blendshape "key_12" of mesh "Head"`. */
 export function missingIn(
   json: GltfJson,
   material: number,

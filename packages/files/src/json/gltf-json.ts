@@ -1,6 +1,5 @@
 type Extensions = Record<string, unknown>
 
-/** A reference to a texture. */
 export interface TextureInfo {
   index: number
   texCoord?: number
@@ -34,7 +33,7 @@ export interface BufferView {
   extensions?: Record<string, Partial<CompressedView>>
 }
 
-/** Compressed data of a buffer view, by EXT_meshopt_compression or KHR_meshopt_compression. */
+/** Compressed data of a buffer view, from EXT_meshopt_compression or KHR_meshopt_compression. */
 export interface CompressedView {
   buffer: number
   byteOffset?: number
@@ -43,7 +42,7 @@ export interface CompressedView {
   byteStride: number
 }
 
-/** Parts of a glTF document that Furrow reads or changes. Other parts are kept unchanged. */
+/** Properties of a glTF file that Furrow reads or changes. Furrow keeps all other properties. */
 export interface GltfJson {
   extensionsUsed?: string[]
   extensionsRequired?: string[]
@@ -60,27 +59,30 @@ export interface GltfJson {
   extensions?: Extensions
 }
 
-/** Returns the names of a mesh's blendshapes, as three.js reads them. */
+/** Returns the names that three.js gives to the blendshapes of a mesh. */
 export function targetNamesOf({ primitives, extras }: GltfMesh): string[] {
   return namesOfTargets(extras?.targetNames, primitives[0]?.targets?.length ?? 0)
 }
 
 /**
- * Returns the names of `count` blendshapes. A blendshape without a name gets its index.
+ * Returns the names of `count` blendshapes. A blendshape without a name gets its index as its name.
  *
- * @param names `extras.targetNames` of the mesh, unchecked; ignored unless an array of length `count`.
+ * @param names `extras.targetNames` of the mesh, of any type. Ignored unless it is an array of length `count`.
  */
 export function namesOfTargets(names: unknown, count: number): string[] {
   const given = Array.isArray(names) && names.length === count ? names : []
   return Array.from({ length: count }, (_, i) => String(typeof given[i] === 'object' ? i : (given[i] ?? i)))
 }
 
-/** Returns the names of all nodes, because a driver can use any node as a joint. */
+/** Returns the names of all nodes. A driver can use any node as a joint. */
 export function jointNamesOf({ nodes = [] }: GltfJson): string[] {
   return nodes.flatMap(({ name }) => (name === undefined ? [] : [name]))
 }
 
-/** Lists the compressed data of a buffer view, one entry per compression extension; empty if uncompressed. */
+/**
+ * Returns the compressed data of a buffer view, per compression extension. Returns an empty list for uncompressed
+ * buffer views.
+ */
 export function compressedViews({ extensions = {} }: BufferView): CompressedView[] {
   return Object.values(extensions).filter((value) => value.byteLength !== undefined) as CompressedView[]
 }

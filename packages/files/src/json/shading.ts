@@ -3,7 +3,7 @@ import type { GltfJson } from './gltf-json.ts'
 const UNLIT = 'KHR_materials_unlit'
 const MTOON = 'VRMC_materials_mtoon'
 
-/** Returns how a material is shaded: `toon` for MToon; `unlit` materials use no normals and cannot show wrinkles. */
+/** Returns how a material is shaded. `unlit` materials use no normals, so they cannot show wrinkles. */
 export function shadingOf(
   { materials = [], extensions }: GltfJson,
   material: number,
@@ -13,7 +13,9 @@ export function shadingOf(
   return own[UNLIT] === undefined ? 'lit' : 'unlit'
 }
 
-/** VRM 0 stores shader names outside the glTF materials, which are unlit fallbacks. */
+/**
+ * Returns whether VRM 0 data assigns the MToon shader to a material. Its glTF material is then only an unlit fallback.
+ */
 function isToonOfVrm0(vrm: unknown, material: number): boolean {
   const { materialProperties } = (vrm ?? {}) as { materialProperties?: { shader?: unknown }[] }
   const shader = Array.isArray(materialProperties) ? materialProperties[material]?.shader : undefined

@@ -2,7 +2,7 @@ import type { WrinkleDriver } from 'furrow'
 import { drivenFaces, MAX_NAME_LENGTH } from 'furrow/internal'
 import { type GltfJson, type GltfMesh, targetNamesOf } from './gltf-json.ts'
 
-/** Default name of the mesh and the material, when several exist and the user names none. */
+/** Name of the mesh and the material that get wrinkles if the user names none. */
 export const DEFAULT_NAME = 'skin'
 
 /** Indices of the mesh and the material that get wrinkles. */
@@ -11,16 +11,16 @@ export interface Target {
   material: number
 }
 
-/** Names of a mesh and one of its materials, or their indices if they have no names. */
+/** Names of a mesh and one of its materials. An index replaces a missing name. */
 export interface TargetNames {
   mesh?: string | undefined
   material?: string | undefined
 }
 
 /**
- * Finds the mesh that the drivers of a material with wrinkles move most; see `drivenFaces`.
+ * Finds the mesh with the most blendshapes that drive the wrinkles of a material, see `drivenFaces`.
  *
- * @returns undefined if no mesh has the material.
+ * @returns undefined if no mesh with texture coordinates has the material.
  */
 export function targetOfMaterial(
   json: GltfJson,
@@ -32,7 +32,7 @@ export function targetOfMaterial(
   return mesh === undefined ? undefined : { mesh, material }
 }
 
-/** Returns the indices of the meshes that show a material's wrinkles; see `drivenFaces`. */
+/** Returns the indices of the meshes that show the wrinkles of a material, see `drivenFaces`. */
 export function facesOfMaterial(
   json: GltfJson,
   material: number,
@@ -51,7 +51,9 @@ export function facesOfMaterial(
   return drivenFaces(meshes, measure, drivers).map(([index]) => index)
 }
 
-/** Returns names that `findTarget` resolves to this mesh and material: an index if no name is unique. */
+/**
+ * Returns the names by which `findTarget` finds a mesh and a material. An index replaces a name that is not unique.
+ */
 export function namesOfTarget(json: GltfJson, { mesh: index, material }: Target): TargetNames {
   const mesh = meshesOf(json).find((one) => one.index === index)
   if (!mesh) return {}
@@ -64,20 +66,20 @@ export function namesOfTarget(json: GltfJson, { mesh: index, material }: Target)
   }
 }
 
-/** A mesh or material with all names that users can give for it. */
+/** A mesh or material with all names by which users can select it. */
 export interface Candidate {
   index: number
   names: string[]
 }
 
-/** Lists meshes with texture coordinates. */
+/** Lists the meshes that have texture coordinates. */
 export function meshesOf(json: GltfJson): Candidate[] {
   return (json.meshes ?? []).flatMap(({ primitives }, index) => {
     return primitives.some(hasTextureCoordinates) ? [{ index, names: namesOfMesh(json, index) }] : []
   })
 }
 
-/** Lists the materials of a mesh's primitives with texture coordinates. */
+/** Lists the materials that a mesh uses on primitives with texture coordinates. */
 export function materialsOf(json: GltfJson, mesh: number): (Candidate & { target: Target })[] {
   const primitives = json.meshes![mesh].primitives.filter(hasTextureCoordinates)
   return [...new Set(primitives.map(({ material }) => material))].flatMap((index) => {
@@ -91,7 +93,10 @@ function hasTextureCoordinates({ attributes }: GltfMesh['primitives'][number]): 
   return attributes?.TEXCOORD_0 !== undefined
 }
 
-/** Returns the names of a mesh and its nodes. Adds the mesh index unless another mesh or node has it as a name. */
+/**
+ * Returns the names of a mesh and its nodes, and the index of the mesh. Omits the index if another mesh or node has it
+ * as a name.
+ */
 export function namesOfMesh({ meshes = [], nodes = [] }: GltfJson, index: number): string[] {
   const placed = nodes.filter(({ mesh }) => mesh !== undefined)
   const own = [...meshes.slice(index, index + 1), ...placed.filter(({ mesh }) => mesh === index)]
@@ -100,7 +105,7 @@ export function namesOfMesh({ meshes = [], nodes = [] }: GltfJson, index: number
   return isTaken ? names : [...names, String(index)]
 }
 
-/** Filters candidates by name. Without a name, filters by the default name, or returns all if none has it. */
+/** Selects candidates by name or index. If the user names none, selects those with the default name, or else all. */
 export function chosen<T extends Candidate>(
   candidates: readonly T[],
   wanted: string | undefined,

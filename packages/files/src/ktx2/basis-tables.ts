@@ -1,16 +1,17 @@
 import type { KTX2Container } from 'ktx-parse'
 
-/** Header position of `sgdByteOffset`, the offset of the global data (KTX 2.0, 3.1). */
+/** Byte offset of `sgdByteOffset` in the KTX 2 header (KTX 2.0, 3.1). This field locates the ETC1S tables. */
 const GLOBAL_DATA_OFFSET = 64
-/** Bytes of the header of the ETC1S tables, and of one image description in them (KTX 2.0, 3.12.2). */
+/** Size of the header that starts the ETC1S tables, and size of one image description, bytes (KTX 2.0, 3.12.2). */
 const HEADER_BYTES = 20
 const IMAGE_BYTES = 20
 
 /**
- * Rereads the ETC1S tables of a texture array. ktx-parse (1.1 and 2.0) expects one image description per level. It reads the descriptions
- * of the other layers as codebooks, and then writes a file that cannot be decoded.
+ * Corrects the ETC1S tables that ktx-parse (1.1 and 2.0) reads from a texture array. ktx-parse expects one image
+ * description per level, but there is one per level and layer. It would read the other descriptions as codebooks and
+ * write a file that cannot be decoded.
  *
- * @param container result of reading `bytes`; its tables are replaced.
+ * @param container result of reading `bytes` with ktx-parse. The function replaces its tables.
  */
 export function fixBasisTables(container: KTX2Container, bytes: Uint8Array): void {
   const tables = container.globalData

@@ -1,7 +1,9 @@
 import { FurrowError } from 'furrow'
 import type { NamedArray } from './image-array.ts'
 
-/** Part of the Basis Universal encoder's JavaScript bindings (basis_wrappers.cpp, version 2.5). */
+/**
+ * Methods of the Basis Universal encoder's JavaScript bindings that this file calls (basis_wrappers.cpp, version 2.5).
+ */
 interface Encoder {
   setUASTC(on: boolean): void
   setPackUASTCFlags(effort: number): void
@@ -22,7 +24,7 @@ interface Encoder {
   delete(): void
 }
 
-/** Part of the transcoder's JavaScript bindings. */
+/** Methods of the transcoder's JavaScript bindings that this file calls. */
 interface Transcoder {
   isValid(): boolean
   isUASTC(): boolean
@@ -56,22 +58,22 @@ const TEXTURE_2D_ARRAY = 1
 const RAW_RGBA = 0
 const TRANSCODE_TO_RGBA32 = 13
 
-/** Maximum texels of all layers, limited by the encoder's memory (32-bit WebAssembly). */
+/** Maximum texels of all layers together. The encoder is 32-bit WebAssembly, so its memory is limited. */
 const MAX_TEXELS = 12 * 1024 * 1024
 
-/** 0 to 4. */
+/** Range 0 to 4. */
 const UASTC_EFFORT = 2
-/** 1 to 255. */
+/** Range 1 to 255. */
 const ETC1S_QUALITY = 255
-/** 0 to 6. */
+/** Range 0 to 6. */
 const ETC1S_EFFORT = 2
 
 let loading: Promise<BasisModule> | undefined
 
-/** Loads the WebAssembly module on the first call. */
+/** Loads the WebAssembly module once. */
 function basis(): Promise<BasisModule> {
   loading ??= import('ktx2-encoder').then((library: unknown) => {
-    // The package exports a different class in Node and in browsers.
+    // The package exports one class in Node and another in browsers.
     const { NodeBasisEncoder, BrowserBasisEncoder } = library as Record<string, BasisLoader | undefined>
     return new (NodeBasisEncoder ?? BrowserBasisEncoder)!().init()
   })
@@ -79,9 +81,9 @@ function basis(): Promise<BasisModule> {
 }
 
 /**
- * Encodes an array as a KTX 2 file in UASTC (with Zstandard) or ETC1S. Gray is copied to red, green and blue.
+ * Encodes a texture array as a KTX 2 file in UASTC (with Zstandard) or ETC1S. Converts gray layers to RGBA.
  *
- * @throws FurrowError if the array is too large for the encoder, or its sides are not multiples of four.
+ * @throws FurrowError if the array is too large for the encoder, or a side is not a multiple of 4 texels.
  */
 export async function encodeBasis(
   array: NamedArray,
@@ -110,7 +112,7 @@ export async function encodeBasis(
       const rgba = array.channels === 4 ? layer : grayToRgba(layer)
       if (encoder.setSliceSourceImage(i, rgba, width, height, RAW_RGBA) === false) throw encoderError(array)
     }
-    // Upper bound: RGBA8 pixels with mipmaps (4/3), plus 1 MB for tables.
+    // Upper bound for 4 bytes per texel, mipmaps (4/3 of the texels) and 1 MB of tables.
     const out = new Uint8Array(Math.ceil((width * height * layers.length * 16) / 3) + 2 ** 20)
     const length = encoder.encode(out)
     if (length === 0) throw encoderError(array)
@@ -121,9 +123,9 @@ export async function encodeBasis(
 }
 
 /**
- * Decodes all levels and layers to RGBA and returns the largest level.
+ * Decodes all levels and layers to RGBA, to find damage. Returns only the largest level.
  *
- * @throws Error with a short reason if any level is damaged.
+ * @throws Error with a short reason if a level is damaged.
  */
 export async function decodeBasis(
   bytes: Uint8Array,
@@ -156,11 +158,12 @@ function grayToRgba(gray: Uint8Array): Uint8Array {
 }
 
 /**
- * Checks the size of an array to encode. WebGPU requires the sides of block-compressed textures to be multiples of the block, 4 texels.
+ * Checks the size of an array before encoding. WebGPU requires block-compressed textures to have sides that are
+ * multiples of the block size, 4 texels.
  *
  * @param who module name for errors.
  * @param remedy for errors.
- * @throws FurrowError if the array has too many texels or its sides are not multiples of 4.
+ * @throws FurrowError if the array has too many texels, or a side is not a multiple of 4.
  */
 export function checkBasisSize({ width, height, layers }: NamedArray, who: string, remedy: string): void {
   if (width * height * layers.length > MAX_TEXELS) {

@@ -2,7 +2,7 @@ import { type Ktx2Image, readKtx2Image } from 'furrow/internal'
 import { kindOf } from '../base/file-kind.ts'
 
 /**
- * Reads and checks the header of a KTX 2 file without decoding the image; see `readKtx2Image`.
+ * Reads and checks the header of a KTX 2 file. Does not decode the image.
  *
  * @throws Error with a short reason.
  */

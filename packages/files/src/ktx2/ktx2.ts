@@ -26,14 +26,14 @@ import type { Compression, NamedArray } from './image-array.ts'
 import { readHeader } from './ktx2-header.ts'
 import { zstd } from './zstd.ts'
 
-/** KTX 2 metadata key of the layer names, stored as a JSON array. Khronos reserves keys that begin with KTX. */
+/** KTX 2 metadata key. Its value is a JSON array of layer names. Khronos reserves keys that begin with KTX. */
 export const NAMES_KEY = 'furrowLayers'
 
 /**
- * Writes a 2D array as a KTX 2 file (Khronos, KTX File Format Specification 2.0). The format is R8 or RGBA8, optionally with
- * Zstandard, or Basis Universal. An array with one layer remains an array (layerCount 1).
+ * Writes a texture array as a KTX 2 file (Khronos, KTX File Format Specification 2.0). `uastc` and `etc1s` write a
+ * Basis Universal format. `none` and `zstd` write R8 or RGBA8.
  *
- * @param mipmaps whether to store mipmaps in a Basis Universal format. For other formats the GPU generates mipmaps.
+ * @param mipmaps whether to store mipmaps. Only for `uastc` and `etc1s`: the GPU generates mipmaps for other formats.
  */
 export async function writeArray(
   array: NamedArray,
@@ -54,14 +54,14 @@ export async function writeArray(
   return write(container, { keepWriter: true })
 }
 
-/** Decoded KTX 2 file. */
+/** Texture array decoded from a KTX 2 file, without layer names. */
 export interface DecodedArray extends Omit<NamedArray, 'names'> {
   compression: Compression
 }
 
 /**
- * Reads the largest level and the layer names of a 2D array or 2D texture in R8, RGBA8 or a Basis Universal format. Default names are
- * layer-0, layer-1 and so on.
+ * Reads the largest level and the layer names of a 2D array or 2D texture in R8, RGBA8 or a Basis Universal format. If
+ * the file has no names, the layers are named `layer-0`, `layer-1` and so on.
  *
  * @throws Error with a short reason if the file is damaged or has another format.
  */
@@ -70,7 +70,7 @@ export async function readArray(bytes: Uint8Array): Promise<DecodedArray & Named
   return { ...array, names: layerNames(readContainer(bytes), array.layers.length) }
 }
 
-/** Like `readArray`, without layer names. */
+/** Reads a KTX 2 file like `readArray`, but without layer names. */
 export async function decodeArray(bytes: Uint8Array): Promise<DecodedArray> {
   const { format, width, height, slices } = readHeader(bytes)
   const count = Math.max(slices, 1)
@@ -97,7 +97,7 @@ export async function decodeArray(bytes: Uint8Array): Promise<DecodedArray> {
   return { width, height, channels, srgb, layers, compression: isCompressed ? 'zstd' : 'none' }
 }
 
-/** Replaces the errors of ktx-parse, which come from reads past the end of the file. */
+/** Parses a KTX 2 file. Replaces the errors of ktx-parse, which mention only an invalid offset. */
 function readContainer(bytes: Uint8Array): KTX2Container {
   try {
     return read(bytes)
@@ -162,7 +162,7 @@ async function plainContainer(array: NamedArray, compression: 'none' | 'zstd'): 
         samples: Array.from({ length: channels }, (_, k) => ({
           bitOffset: 8 * k,
           bitLength: 7,
-          // Alpha stays linear in sRGB formats (Khronos Data Format Specification 1.3, 5.14).
+          // Alpha is linear even in sRGB formats (Khronos Data Format Specification 1.3, 5.14).
           channelType: k < 3 ? k : KHR_DF_CHANNEL_RGBSDA_ALPHA | (srgb ? KHR_DF_SAMPLE_DATATYPE_LINEAR : 0),
           samplePosition: [0, 0, 0, 0],
           sampleLower: 0,
@@ -175,16 +175,16 @@ async function plainContainer(array: NamedArray, compression: 'none' | 'zstd'): 
   }
 }
 
-/** Reads layer names from the metadata. Throws Error if they are not unique or not valid file names. */
+/** Reads layer names from the metadata. Throws if the names are not unique or not valid as file names. */
 function layerNames({ keyValue }: KTX2Container, count: number): string[] {
   const text = keyValue[NAMES_KEY]
   if (text === undefined) return Array.from({ length: count }, (_, i) => `layer-${i}`)
   let names: unknown
   try {
-    // KTX 2 strings end with NUL.
+    // Strings in KTX 2 metadata end with NUL.
     names = JSON.parse((typeof text === 'string' ? text : new TextDecoder().decode(text)).replace(/\0$/, ''))
   } catch {
-    // Reported below.
+    // The check below throws, because `names` stays undefined.
   }
   if (
     !Array.isArray(names) ||

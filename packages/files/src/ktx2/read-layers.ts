@@ -16,8 +16,8 @@ const WHO = 'furrow array'
 const MISSING = Object.assign(new Error('no such file'), { code: 'ENOENT' })
 
 /**
- * Reads images as layers of a texture array, named after their files. Colour profiles are not applied. A linear array becomes gray if
- * every texel of all images is gray and opaque.
+ * Reads images as layers of a texture array. Layers get the names of the files without extensions. Ignores colour
+ * profiles. The array has one channel if `srgb` is false and all images are gray and opaque.
  *
  * @throws FurrowError if an image cannot be read, has more than 8 bits per channel, or differs in size from the first.
  */
@@ -27,7 +27,8 @@ export async function readLayers(
   progress?: (done: number, total: number) => void,
 ): Promise<NamedArray> {
   const names = paths.map((path) => parse(path).name)
-  // Check existence before names: an unexpanded shell pattern should be reported as missing, not as an invalid name.
+  // Checks existence before names. A shell pattern without matches, e.g. `*.png`, should fail as a missing file, not as
+  // an invalid name.
   for (const path of paths) if (!(await statOf(path))) throw cannotRead(WHO, `the image ${path}`, MISSING)
   checkNames(names, paths)
   const images: RgbaImage[] = []
@@ -48,7 +49,7 @@ export async function readLayers(
     progress?.(i + 1, paths.length)
   }
   const { width, height } = images[0]
-  // GPUs have no gray sRGB format.
+  // WebGPU and WebGL have no gray sRGB format.
   const gray = !srgb && images.every(({ data }) => isGray(data))
   const layers = images.map(({ data }) => (gray ? data.filter((_, i) => i % 4 === 0) : data))
   return { width, height, channels: gray ? 1 : 4, srgb, names, layers }

@@ -1,11 +1,15 @@
-/** Zstandard (RFC 8878). */
+/** Zstandard compressor and decompressor (RFC 8878). */
 export interface Zstd {
   compress(data: Uint8Array): Uint8Array<ArrayBuffer>
-  /** Throws Error unless the decompressed length is `size`. Checks the length in the frame header before allocating. */
+  /**
+   * Throws if the decompressed length is not `size`. Checks the length in the frame header before it allocates memory.
+   */
   decompress(data: Uint8Array, size: number): Uint8Array
 }
 
-/** Compares `size` with the optional content size in the first frame's header (RFC 8878, 3.1.1.1). */
+/**
+ * Throws if the first frame's header has a content size other than `size`. This field is optional (RFC 8878, 3.1.1.1).
+ */
 export function checkContentSize(data: Uint8Array, size: number): void {
   const view = new DataView(data.buffer, data.byteOffset, data.length)
   if (data.length < 18 || view.getUint32(0, true) !== 0xfd2fb528)

@@ -1,14 +1,14 @@
 import { nativeZstd } from '#zstd'
 import { checkContentSize, type Zstd } from './zstd-frame.ts'
 
-/** Compression level, 1 to 22. Higher levels take far longer and save a few percent. */
+/** Compression level, 1 to 22. Higher levels take far longer and save only a few percent. */
 const LEVEL = 12
 
 let loading: Promise<Zstd> | undefined
 
-/** Returns Node's Zstandard functions (22.15 and later), or a WebAssembly module on older versions and in browsers. */
+/** Returns Zstandard functions: those of Node 22.15 or later, otherwise those of a WebAssembly module. */
 export function zstd(): Promise<Zstd> {
-  // Initialising the WebAssembly module twice breaks the first instance.
+  // Loads the WebAssembly module only once, because a second initialisation breaks the first instance.
   loading ??= Promise.resolve(nativeZstd(LEVEL) ?? wasmZstd())
   return loading
 }

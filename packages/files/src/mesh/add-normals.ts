@@ -8,11 +8,13 @@ import { trianglesOf } from './mesh-nodes.ts'
 const FLOAT = 5126
 
 /**
- * Adds smooth normals to primitives without normals, which renderers would shade flat and without wrinkles.
+ * Adds smooth normals to those primitives of a mesh that have no normals. Without normals, renderers shade flat and
+ * show no wrinkles.
  *
- * @param glb changed in place; existing objects keep their indices.
- * @param document the decoded `glb`.
- * @returns how many primitives got normals.
+ * @param glb changed in place. Existing indices stay valid.
+ * @param document `glb`, decoded.
+ * @param mesh index of the mesh.
+ * @returns number of primitives that got normals.
  */
 export function addNormals(glb: Glb, document: Document, mesh: number): number {
   const { json } = glb
@@ -35,7 +37,10 @@ export function addNormals(glb: Glb, document: Document, mesh: number): number {
   return missing.length
 }
 
-/** Computes unit vertex normals: area-weighted means of the adjacent triangles' normals. Vertices at the same position share a normal. */
+/**
+ * Computes unit vertex normals from the area-weighted normals of adjacent triangles. Vertices at the same position
+ * share a normal.
+ */
 function smoothNormals(primitive: Primitive): Float32Array<ArrayBuffer> {
   const position = primitive.getAttribute('POSITION')!
   const count = position.getCount()
@@ -51,7 +56,7 @@ function smoothNormals(primitive: Primitive): Float32Array<ArrayBuffer> {
   const normals = new Float32Array(3 * count)
   for (let i = 0; i < count; i++) {
     const normal = sums[pointOf[i]].clone().normalize()
-    // Vertices without triangles get an arbitrary unit normal.
+    // A vertex without triangles gets an arbitrary unit normal.
     if (!(normal.lengthSq() > 0)) normal.set(0, 0, 1)
     normal.toArray(normals, 3 * i)
   }

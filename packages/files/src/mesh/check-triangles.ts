@@ -3,22 +3,23 @@ import { MAX_SKIN_TRIANGLES } from 'furrow/internal'
 import type { Glb } from '../gltf/glb.ts'
 import type { GltfMesh } from '../json/gltf-json.ts'
 
-/** Primitive modes. Triangle modes are TRIANGLES, TRIANGLE_STRIP (5) and TRIANGLE_FAN. */
+/** First and last primitive mode with triangles (glTF 2.0, 3.7.2.1). Mode 5 is TRIANGLE_STRIP. */
 const TRIANGLES = 4
 const TRIANGLE_FAN = 6
 /**
- * Limit of triangles times blendshapes: the larger of a fixed number and a number per byte of the file. `furrow auto` takes time
- * proportional to this product. Faces have less than one per byte, compressed faces up to three. A small hostile file can have thousands
- * per byte, because blendshapes can share accessors.
+ * Limits for the number of triangles times the number of blendshapes. `furrow auto` takes time proportional to this
+ * product. The limit for a file is the larger of the fixed limit and the limit per byte times the size of the file. The
+ * product is less than 1 per byte for ordinary faces, and up to 3 for compressed faces. A small hostile file can reach
+ * thousands, because blendshapes can share accessors.
  */
 const MAX_MORPHED_TRIANGLES = 6_000_000
 const MAX_MORPHED_TRIANGLES_PER_BYTE = 3
 
 /**
- * Checks the size of meshes by the counts in the JSON, before decoding.
+ * Checks the size of meshes before decoding, with the counts in the JSON.
  *
- * @param meshName name of a mesh or its node, to check only this mesh. Default: all meshes.
- * @throws FurrowError naming the mesh.
+ * @param meshName name of a mesh or its node. Only this mesh is checked. Default: all meshes.
+ * @throws FurrowError that names the mesh.
  */
 export function checkTriangles({ json, fileBytes }: Glb, who: string, meshName?: string): void {
   const { meshes = [], nodes = [], accessors = [] } = json
@@ -49,7 +50,7 @@ export function checkTriangles({ json, fileBytes }: Glb, who: string, meshName?:
   }
 }
 
-/** Counts the triangles of primitives with blendshapes, by material index. */
+/** Counts the triangles of primitives with blendshapes, per material index. */
 function trianglesByMaterial(
   { primitives }: GltfMesh,
   countOf: (accessor?: number) => number,

@@ -3,9 +3,10 @@ import { KHRTextureTransform, type Transform } from '@gltf-transform/extensions'
 import { Matrix3, Vector2 } from 'three'
 
 /**
- * Reads the texture coordinates that renderers use for wrinkles: those of the material's normal map with its KHR_texture_transform, or
- * TEXCOORD_0 without a normal map. Exception: if only the base colour's transform decodes quantised coordinates, it is used, because
- * packing adds a normal map with this transform.
+ * Reads the texture coordinates that renderers use for wrinkles. These are the coordinates of the material's normal
+ * map, with its KHR_texture_transform. A material without a normal map uses TEXCOORD_0, with one exception. If the
+ * transform of its base colour decodes quantised coordinates, this transform applies, because packing adds a normal map
+ * with the same transform.
  *
  * @param vertices indices of the vertices to read.
  * @param out u and v of each vertex.
@@ -30,7 +31,7 @@ export function readCoordinates(
   }
 }
 
-/** Same rule as `quantisedCoordinates`, on a decoded document. */
+/** Applies the rule of `quantisedCoordinates` to a decoded document. */
 function quantisedInfo(primitive: Primitive, material: Material): TextureInfo | null {
   const info = material.getBaseColorTextureInfo()
   const transform = info?.getExtension<Transform>(KHRTextureTransform.EXTENSION_NAME)
@@ -40,7 +41,10 @@ function quantisedInfo(primitive: Primitive, material: Material): TextureInfo | 
   return array && !(array instanceof Float32Array) ? info : null
 }
 
-/** Scales, rotates clockwise, then translates (KHR_texture_transform). `Matrix3.setUvTransform` cannot be used: it scales last. */
+/**
+ * Returns the matrix of KHR_texture_transform: it scales, then rotates clockwise, then translates.
+ * `Matrix3.setUvTransform` scales last.
+ */
 function matrixOf(transform: Transform): Matrix3 {
   const matrix = new Matrix3().makeTranslation(...transform.getOffset())
   matrix.multiply(new Matrix3().makeRotation(-transform.getRotation()))

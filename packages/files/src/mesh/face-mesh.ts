@@ -9,11 +9,10 @@ import { DEFAULT_NAME } from '../json/target-names.ts'
 import { mostMovedSkin } from './find-skin.ts'
 import { nameOf, placementOf, trianglesOf } from './mesh-nodes.ts'
 
-/** Parts of a character that strokes need: one mesh with texture coordinates and its normal map. */
+/** A mesh with texture coordinates, and the normal map of its material. Strokes are drawn on such a mesh. */
 export interface FaceMesh {
-  /** Name of the mesh. */
   name: string
-  /** Positions in metres in world space, in the rest pose without blendshapes. */
+  /** Positions in metres in world space, in rest pose and without blendshapes. */
   mesh: MetricMesh
   /** Encoded normal map of the material. */
   normalMap?: Uint8Array
@@ -24,8 +23,8 @@ export interface FaceMesh {
 /**
  * Reads one mesh of a file.
  *
- * @param options.mesh name of the mesh; see `pickMesh`.
- * @throws FurrowError if the file cannot be read or has no such mesh.
+ * @param options.mesh name of the mesh. Default: chosen by `pickMesh`.
+ * @throws FurrowError if the file cannot be read, or has no such mesh.
  */
 export async function readFaceMesh(
   path: string,
@@ -38,10 +37,10 @@ export async function readFaceMesh(
 }
 
 /**
- * Finds the node of a mesh with texture coordinates. Without `meshName`, chooses the mesh named `skin`, else the only mesh, else the
- * mesh that blendshapes move most.
+ * Finds the node of a mesh with texture coordinates. Without `meshName`, chooses the mesh named `skin`. If there is
+ * none, chooses the only mesh. If there are several, chooses the mesh with more than half of the blendshape motion.
  *
- * @throws FurrowError if no mesh matches, or several do and blendshapes move none of them most.
+ * @throws FurrowError if no mesh matches, or several match and none has more than half of the motion.
  */
 export function pickMesh(document: Document, path: string, who: string, meshName?: string): Node {
   const nodes = document

@@ -8,7 +8,7 @@ import { namesOfMesh, type Target } from '../json/target-names.ts'
 import { trianglesOf } from './mesh-nodes.ts'
 import { readSkin } from './read-skin.ts'
 
-/** Chosen skin: the primitives of one mesh with one material. */
+/** The surface that gets wrinkles: the primitives of one mesh that share a material. */
 export interface FoundSkin {
   skin: Skin
   /** Index of the mesh in the file. */
@@ -19,20 +19,19 @@ export interface FoundSkin {
   meshName: string
   /** Name of the material, or its index if it has none. */
   materialName: string
-  /** Share of the blendshape motion that moves this mesh, 0..1; NaN if blendshapes move nothing. */
+  /** Fraction of all blendshape motion that is on this surface, 0..1. NaN if no blendshape moves anything. */
   fraction: number
-  /** Reason for the choice, for the user. */
+  /** Reason for the choice, in words for the user. */
   reason: string
-  /** Whether all primitives have tangents. */
   hasTangents: boolean
 }
 
 /**
- * Chooses the skin among all meshes and materials of a file; see `chooseSkin`.
+ * Chooses the surface that gets wrinkles, among all meshes and materials of a file. See `chooseSkin`.
  *
- * @param meshName name of a mesh or its node, to consider only this mesh. Default: all meshes.
- * @param isLit returns whether the material with this index can show wrinkles. A lit material wins over an unlit one if blendshapes move it
- *   at least half as much.
+ * @param meshName name of a mesh or its node. Only this mesh is considered. Default: all meshes.
+ * @param isLit returns whether the given material can show wrinkles. A lit material is preferred to an unlit
+ *   material if blendshapes move the lit material at least half as much.
  * @throws FurrowError if no mesh can have wrinkles.
  */
 export function findSkin(
@@ -59,13 +58,13 @@ export function findSkin(
   })
 }
 
-/** Returns the skin with more than half of all blendshape motion, or undefined. */
+/** Returns the surface that has more than half of all blendshape motion, or undefined. */
 export function mostMovedSkin(document: Document, meshName?: string): FoundSkin | undefined {
   const skin = bestSkin(document, meshName)
   return skin && skin.fraction > 0.5 ? skin : undefined
 }
 
-/** Like `findSkin`, but returns undefined if no mesh can have wrinkles. */
+/** Chooses like `findSkin`, but returns undefined if no mesh can have wrinkles. */
 export function bestSkin(
   document: Document,
   meshName?: string,
@@ -86,19 +85,19 @@ export function bestSkin(
   return { ...candidates[index], fraction, reason: reasonOf(choice, candidates.length) }
 }
 
-/** Returns the skin of a mesh and material, or undefined if these have no triangles with texture coordinates. */
+/** Returns the surface of a mesh and material, or undefined if it has no triangles with texture coordinates. */
 export function skinOfTarget(document: Document, { mesh: index, material }: Target): Skin | undefined {
   const mesh = document.getRoot().listMeshes()[index]
   return candidatesOf(document, mesh, index).find((candidate) => candidate.material === material)?.skin
 }
 
 function reasonOf({ fraction, movers }: SkinChoice, count: number): string {
-  if (count === 1) return 'the only one with texture coordinates and a material'
-  if (!(fraction > 0)) return 'the first one: no blendshape moves any'
-  return `${Math.round(100 * fraction)}% of what ${movers} move`
+  if (count === 1) return 'the only surface with texture coordinates and a material'
+  if (!(fraction > 0)) return 'the first surface, because blendshapes move none of them'
+  return `${Math.round(100 * fraction)}% of the motion of ${movers}`
 }
 
-/** Lists the possible skins of a mesh, one per material. */
+/** Lists the surfaces of a mesh that could get wrinkles, one per material. */
 function candidatesOf(
   document: Document,
   mesh: Mesh,
@@ -127,13 +126,13 @@ function candidatesOf(
   })
 }
 
-/** Returns whether the mesh or one of its nodes has this name; true if no name is given. */
+/** Returns whether the mesh or one of its nodes has this name. Returns true if `name` is undefined. */
 function isNamed(mesh: Mesh, name: string | undefined): boolean {
   if (name === undefined || mesh.getName() === name) return true
   return mesh.listParents().some((parent) => parent.propertyType === 'Node' && parent.getName() === name)
 }
 
-/** Returns the name, or the index if there is none. */
+/** Returns the name of a mesh or material, or its index if it has no name. */
 function labelOf(named: Mesh | Material, index: number): string {
   return named.getName() || String(index)
 }

@@ -1,11 +1,12 @@
 import type { Mesh, Node, Primitive } from '@gltf-transform/core'
 import { nodeOf } from './mesh-nodes.ts'
 
-/** Writes the skinning weight of the head joint for some vertices of a primitive, 0..1. */
+/** Writes the skinning weight of the head joint into `out`, 0..1 per vertex. */
 export type HeadReader = (primitive: Primitive, vertices: Uint32Array, out: Float32Array) => void
 
 /**
- * Returns a reader of head weights. A mesh without a skeleton has weight 1 if its node is below the head joint.
+ * Returns a function that reads skinning weights of the head joint and its descendants. A mesh without a skeleton has
+ * weight 1 if its node is below the head joint.
  *
  * @returns undefined if the mesh does not follow a head joint.
  */
@@ -28,10 +29,10 @@ export function headReader(mesh: Mesh): HeadReader | undefined {
   }
 }
 
-/** Returns whether a node is the head joint or below it. */
+/** Returns whether a node is the head joint or below it. Recognises the head joint by its name. */
 function isOfHead(node: Node): boolean {
   for (let above: Node | null = node; above; above = above.getParentNode()) {
-    // A mesh named "head" is not a joint.
+    // A node with a mesh is not a joint, even if its name is "head".
     if (!above.getMesh() && /head|頭/i.test(above.getName())) return true
   }
   return false

@@ -6,21 +6,22 @@ import { documentOf } from '../gltf/document.ts'
 import type { Glb } from '../gltf/glb.ts'
 import type { GltfJson } from '../json/gltf-json.ts'
 
-/** Normal deltas up to this size per axis are dropped: half a step of an 8-bit normal. */
+/** Sparse accessors omit deltas whose components are all at most this. An 8-bit normal has steps of twice this size. */
 const NEGLIGIBLE = 1 / 510
-/** Fraction of changed vertices above which a sparse accessor is no smaller than a full one. */
+/** Above this fraction of changed vertices, a sparse accessor would not be smaller than a full one. */
 const MAX_SPARSE_FRACTION = 0.7
 
-// Component types of glTF.
+// Component types of glTF (glTF 2.0, 3.6.2.2).
 const UNSIGNED_INT = 5125
 const FLOAT = 5126
 
 /**
- * Adds normals to morph targets without normals, so that shading follows the shape.
+ * Adds normals to those blendshapes of a mesh that have none. Otherwise shading would not follow the moved surface.
  *
- * @param glb changed in place; existing objects keep their indices.
- * @param path of the file that `glb` was read from, for errors.
- * @returns number of targets that got normals.
+ * @param glb changed in place. Existing indices stay valid.
+ * @param path path of the source file, for errors.
+ * @param mesh index of the mesh.
+ * @returns number of morph targets that got normals.
  * @throws FurrowError if the geometry cannot be decoded.
  */
 export async function addMorphNormals(
@@ -49,7 +50,10 @@ export async function addMorphNormals(
   return added
 }
 
-/** Returns a function from position deltas to normal deltas of a primitive's targets; undefined if the primitive has no normals. */
+/**
+ * Returns a function that converts position deltas of a morph target to normal deltas. Returns undefined if the
+ * primitive has no normals.
+ */
 function normalDeltasOf(primitive: Primitive): ReturnType<typeof morphNormalDeltas> | undefined {
   const [position, normal] = [primitive.getAttribute('POSITION'), primitive.getAttribute('NORMAL')]
   if (!position || !normal) return undefined
@@ -58,7 +62,6 @@ function normalDeltasOf(primitive: Primitive): ReturnType<typeof morphNormalDelt
   return morphNormalDeltas({ positions: readVectors(position), normals: readVectors(normal), triangles })
 }
 
-/** Reads and dequantises vectors. */
 function readVectors(accessor: Accessor): Float32Array {
   const out = new Float32Array(3 * accessor.getCount())
   const element: number[] = []
@@ -73,7 +76,7 @@ function addAccessor(json: GltfJson, views: BufferViewWriter, deltas: Float32Arr
   )
   const accessor = { componentType: FLOAT, type: 'VEC3', count }
   json.accessors ??= []
-  // A sparse accessor needs at least one entry, and an accessor without a view is all zeros.
+  // An accessor without a buffer view is all zeros. A sparse accessor would need at least one entry.
   if (changed.length === 0) return json.accessors.push(accessor) - 1
   if (changed.length > MAX_SPARSE_FRACTION * count) {
     return json.accessors.push({ ...accessor, bufferView: views.add(bytesOf(deltas)) }) - 1

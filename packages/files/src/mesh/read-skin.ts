@@ -8,9 +8,9 @@ import { type HeadReader, headReader } from './head-weights.ts'
 import { nodeOf, placementOf } from './mesh-nodes.ts'
 
 /**
- * Reads primitives of a mesh as one skin in metres, in the world space of the mesh's first node or skeleton.
+ * Reads primitives of a mesh as one surface, in metres in world space. If several nodes place the mesh, uses the first.
  *
- * @param expressions names of VRM expressions that move only one target, by target index.
+ * @param expressions names of VRM expressions that move a single morph target, by index of the target.
  */
 export function readSkin(
   mesh: Mesh,
@@ -43,7 +43,7 @@ function partOf(primitive: Primitive, material: Material, head: HeadReader | und
   }
 }
 
-/** Returns the matrix from mesh to world space, or undefined for the identity. */
+/** Returns the matrix from mesh to world space. Returns undefined for the identity. */
 function placementOfMesh(mesh: Mesh): number[] | undefined {
   const node = nodeOf(mesh)
   const placement = new Matrix4()
@@ -51,17 +51,17 @@ function placementOfMesh(mesh: Mesh): number[] | undefined {
   return placement.equals(new Matrix4()) ? undefined : placement.toArray()
 }
 
-/** Reads the indices of a primitive; a primitive without indices uses all its vertices in order. */
+/** Returns the vertex indices of a primitive. A primitive without indices uses its vertices in order. */
 function indicesOf(index: Accessor | null, count: number): Uint32Array {
   const array = index?.getArray()
   if (array) return new Uint32Array(array)
   return Uint32Array.from({ length: count }, (_, k) => k)
 }
 
-/** Copies vectors of some vertices from an accessor of any type. */
+/** Copies vectors of the given vertices from an accessor of any type. */
 function copyInto(out: Float32Array, accessor: Accessor, vertices: Uint32Array): void {
   const array = accessor.getArray()
-  // Fast path: `getElement` takes six times as long, but is needed to dequantise other types.
+  // `getElement` also dequantises integers, but takes six times as long as this copy.
   if (array instanceof Float32Array) {
     for (let i = 0; i < vertices.length; i++)
       for (let k = 0; k < 3; k++) out[3 * i + k] = array[3 * vertices[i] + k]

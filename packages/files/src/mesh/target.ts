@@ -13,19 +13,19 @@ import {
 import { mostMovedSkin } from './find-skin.ts'
 
 /**
- * Finds the mesh and the material that get wrinkles. Without names, chooses those named `skin`, else the only ones, else those that
- * blendshapes move most, as `furrow auto` does.
+ * Finds the mesh and the material that get wrinkles. Without names, chooses those named `skin`. If there are none,
+ * chooses the only mesh and material. If there are several, chooses those with more than half of the blendshape motion.
  *
- * @param path of the file, for errors.
- * @param names names of mesh and material; the name of the mesh's node also matches.
- * @throws FurrowError if none matches, or several do and blendshapes move none of them most.
+ * @param path path of the file, for errors.
+ * @param names names of mesh and material. The name of the mesh's node also selects the mesh.
+ * @throws FurrowError if none matches, or several match and none has more than half of the motion.
  */
 export async function findTarget(glb: Glb, path: string, who: string, names: TargetNames): Promise<Target> {
   const { json } = glb
   const meshes = chosen(meshesOf(json), names.mesh)
   if (meshes.length === 0) throw notFound(meshesOf(json), names.mesh, who, 'mesh', '--mesh')
   const materials = meshes.flatMap(({ index }) => materialsOf(json, index))
-  // With several meshes, a default material name must not decide between meshes.
+  // If several meshes are left, a material named `skin` must not decide which mesh gets wrinkles.
   const left =
     meshes.length > 1 && names.material === undefined ? materials : chosen(materials, names.material)
   if (left.length === 0) {

@@ -3,13 +3,13 @@ import type { Pixels } from '../images/pixels.ts'
 import { encodePortablePng } from '../images/png.ts'
 import type { FileImage } from './embed.ts'
 
-/** Number of areas per image, one per channel. */
+/** Number of areas in one image, one per channel. An area contains the weights of a group of wrinkles in UV space. */
 export type AreasPerImage = 1 | 3 | 4
 
 /**
- * Encodes areas of one size as channels of PNG images, in order.
+ * Encodes areas of equal size as channels of PNG images, in order.
  *
- * @param encode PNG encoder. The default writes the same bytes in Node and all browsers.
+ * @param encode PNG encoder. The default writes the same bytes in Node and in all browsers.
  */
 export function encodeAreaImages(
   weights: readonly GrayImage[],
@@ -25,7 +25,7 @@ export function encodeAreaImages(
   return Promise.all(images)
 }
 
-/** Combines areas of one size as channels of one image. Unused channels are 0. */
+/** Combines areas of equal size as channels of one image. Unused channels are 0. */
 export function interleave(weights: readonly GrayImage[], channels: Pixels['channels']): Pixels {
   const { width, height } = weights[0]
   const data = new Uint8Array(channels * width * height)

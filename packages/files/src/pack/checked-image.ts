@@ -6,16 +6,16 @@ import { encodePortablePng } from '../images/png.ts'
 import { scaleImage } from '../images/scale.ts'
 import type { FileImage } from './embed.ts'
 
-/** An image that decodes without errors and is allowed in a glTF file. */
+/** Image that is allowed in a glTF file and decodes without errors. */
 export interface CheckedImage extends FileImage {
   width: number
   height: number
 }
 
 /**
- * Checks that a map is allowed in a glTF file: a PNG or JPEG image that is opaque and decodes without errors.
+ * Checks a map for a glTF file: it must be PNG or JPEG, opaque, and decode without errors.
  *
- * @throws FurrowError naming the file.
+ * @throws FurrowError that names the file.
  */
 export async function checkMap(
   bytes: Uint8Array,
@@ -31,8 +31,8 @@ export async function checkMap(
 /**
  * Scales a map to a square. Normals are renormalised.
  *
- * @param size side in texels.
- * @returns a new PNG image, or `image` itself if it has this size.
+ * @param size width and height of the result, texels.
+ * @returns a new PNG image, or `image` itself if it already has this size.
  */
 export async function scaleMap(
   image: CheckedImage,
@@ -47,7 +47,9 @@ export async function scaleMap(
   return { ...image, mimeType: 'image/png', bytes, width: size, height: size }
 }
 
-/** Throws FurrowError if maps of one kind differ in size, because they become layers of one texture array. */
+/**
+ * Checks that maps of one kind have equal sizes, because they become layers of one texture array. Throws FurrowError.
+ */
 export function checkOneSize(images: readonly CheckedImage[], kind: string, who: string): void {
   const sizes = images.map(({ width, height }) => `${width} x ${height}`)
   if (new Set(sizes).size <= 1) return
@@ -63,7 +65,7 @@ export function checkOneSize(images: readonly CheckedImage[], kind: string, who:
 function normalise(data: Uint8Array, channels: number): void {
   for (let i = 0; i < data.length; i += channels) {
     const [x, y, z] = [0, 1, 2].map((k) => (data[i + k] / 255) * 2 - 1)
-    // Not `Math.hypot`: its rounding differs between browsers.
+    // `Math.hypot` rounds differently in different browsers.
     const length = length3(x, y, z) || 1
     for (const [k, value] of [x, y, z].entries()) data[i + k] = Math.round((value / length / 2 + 0.5) * 255)
   }

@@ -14,6 +14,7 @@ import {
   didYouMean,
   fileNamesOf,
   halfSide,
+  hasOnset,
   heightLevels,
   valleyBlood,
 } from 'furrow/internal'
@@ -26,23 +27,23 @@ import type { ReadFile } from './set-to-pack.ts'
 
 type LayerEntry = WrinkleSetDocument['layers'][number]
 
-/** Maps that strokes draw for a layer. */
-const DRAWN_MAPS = ['normal', 'occlusion', 'blood', 'height'] as const
+/** Maps of a layer that are computed from its strokes (wrinkle lines). */
+const DRAWN_MAPS = ['normal', 'occlusion', 'blood', 'onset', 'height'] as const
 type DrawnMap = (typeof DRAWN_MAPS)[number]
 
-/** Surface that strokes are drawn on. */
+/** Surface on which strokes are drawn. */
 export interface DrawnOn {
-  /** Canvas of the same size as the normal map; its sides are even. */
+  /** Canvas with the size of the normal map. Width and height are even. */
   canvas: SkinCanvas
-  /** Tangent frame in which renderers read normals. */
+  /** Tangent frame in which renderers interpret normals. */
   frame: TangentFrame
 }
 
 /**
- * Returns the names of layers that a strokes document draws.
+ * Returns the names of the layers whose maps have to be drawn.
  *
  * @param layer draws only this layer. Default: all layers with strokes or furrows.
- * @throws FurrowError if strokes name a layer that the set lacks, or name none and the set has several.
+ * @throws FurrowError if a stroke names a layer that the set lacks, or names no layer although the set has several.
  */
 export function layersToDraw(
   { layers }: WrinkleSetDocument,
@@ -70,7 +71,7 @@ function noLayer(
   return new FurrowError({ code: 'unknown-name', who, problem, value, limit: names.join(', '), remedy })
 }
 
-/** Returns the paths of a layer's drawn maps, relative to the folder of its set. */
+/** Returns the paths of the maps that are drawn for a layer, relative to the folder of its wrinkle set. */
 export function drawnPaths({ layers }: WrinkleSetDocument, layer: string): Record<DrawnMap, string> {
   const names = layers.map(({ name }) => name)
   const folder = fileNamesOf(names)[names.indexOf(layer)]
@@ -79,15 +80,16 @@ export function drawnPaths({ layers }: WrinkleSetDocument, layer: string): Recor
     normal: path('normal'),
     occlusion: path('occlusion'),
     blood: path('blood'),
+    onset: path('onset'),
     height: path('height'),
   }
 }
 
 /**
- * Draws normals, occlusion, heights and blood of layers, like `furrow auto`. Keeps the set's areas, drivers and other maps, and the part
- * of the blood maps that was not computed from valleys.
+ * Draws normals, occlusion, heights, blood and onset of layers, like `furrow auto`. Keeps areas, drivers, all other
+ * maps, and blood that was painted by hand.
  *
- * @param read reads a file of the set.
+ * @param read reads a file of the wrinkle set.
  * @returns all layers as entries of `wrinkles.json`, and the drawn images with paths relative to the folder.
  */
 export async function drawSet(
@@ -104,7 +106,7 @@ export async function drawSet(
     if (!layers.includes(entry.name)) continue
     const maps = await drawLayer(entry, document, read, on, who)
     const paths = drawnPaths(set, entry.name)
-    const { height: _, heightAmplitude: __, bloodAmplitude = BLOOD_AMPLITUDE, ...rest } = entry
+    const { height: _, heightAmplitude: __, onset: ___, bloodAmplitude = BLOOD_AMPLITUDE, ...rest } = entry
     entries[i] = {
       ...rest,
       kind: 'detail',
@@ -112,6 +114,7 @@ export async function drawSet(
       occlusion: addressOf(paths.occlusion),
       blood: addressOf(paths.blood),
       bloodAmplitude,
+      ...(maps.onset && { onset: addressOf(paths.onset) }),
       ...(maps.height && { height: addressOf(paths.height), heightAmplitude: maps.heightAmplitude! }),
     }
     for (const map of DRAWN_MAPS) {
@@ -130,14 +133,15 @@ async function drawLayer(
   who: string,
 ) {
   const { name } = entry
-  const layer = new StrokeLayer(canvas, { frame })
   const own = strokes.filter((stroke) => (stroke.layer ?? name) === name)
+  const layer = new StrokeLayer(canvas, { frame, onset: hasOnset(own) })
   layer.draw(own)
-  const { heights, occlusion } = layer
+  const { heights, occlusion, onset } = layer
   const blood = await bloodOf(entry, heights, read, who)
-  return encodeLayer({ name, normal: normalOf(), heights, occlusion, blood }, own.length > 0, false)
+  const maps = { name, normal: normalOf(), heights, occlusion, blood, ...(onset && { onset }) }
+  return encodeLayer(maps, own.length > 0, false)
 
-  /** Fine furrows are too shallow for heights and appear only in normals. */
+  /** Returns the normals. Only normals show fine furrows, which are too shallow for heights. */
   function normalOf() {
     if (!furrows || (furrows.layer ?? name) !== name) return layer.normal
     const withFurrows = { ...heights, data: heights.data.slice() }
@@ -147,8 +151,9 @@ async function drawLayer(
 }
 
 /**
- * Computes the blood of a layer with new lines, at half the side of its heights. Valleys come from the quantised heights that are stored,
- * so that a later run can separate them from painted blood.
+ * Computes the blood map of a redrawn layer, with half the width and height of its height map. Changes the blood in the
+ * valleys of wrinkle lines, and keeps painted blood. Valleys are computed from the 8-bit heights as stored, so that a
+ * later run finds the same valleys and can subtract their blood.
  */
 async function bloodOf(
   entry: LayerEntry,
@@ -185,7 +190,7 @@ function sizeMismatch(
 ): FurrowError {
   return new FurrowError({
     who,
-    problem: `${path} differs in size from the drawn maps, so its painted blood cannot be kept`,
+    problem: `${path} differs in size from the drawn maps, so painted blood cannot be kept`,
     value: `${image.width} x ${image.height}`,
     limit: `${width} x ${height}, half the side of the normals`,
     remedy: 'choose another --size, or scale the image',

@@ -6,17 +6,17 @@ import type { GltfJson } from '../json/gltf-json.ts'
 import type { StoredStrokes } from '../wrinkles/strokes.ts'
 import { FLAT_NORMAL, quantisedCoordinates } from './flat-normal.ts'
 
-/** An encoded image to embed in a file. */
+/** Encoded image to store in a glTF file. */
 export interface FileImage {
   name: string
   mimeType: string
-  /** Images with the same bytes are stored once. */
+  /** File content. Images with the same array of bytes are stored once. */
   bytes: Uint8Array
-  /** Index of the slice if the image is a texture array. */
+  /** Index of a slice, if the image is a texture array. */
   slice?: number
 }
 
-/** A layer with its images. Numbers have the units of the extension. */
+/** A layer with its encoded maps. Numbers have the units of the extension FURROW_wrinkle_maps. */
 export interface LayerImages {
   name: string
   kind: WrinkleSetDocument['layers'][number]['kind']
@@ -28,49 +28,49 @@ export interface LayerImages {
   occlusionStrength?: number
   height?: FileImage
   heightAmplitude?: number
-  /** Blood in the blue channel. Same image as `occlusion` if there is one. */
+  /** Image with blood in the blue channel. The same image as `occlusion` if the layer has an occlusion map. */
   blood?: FileImage
   bloodAmplitude?: number
+  /** Image with onset in the green channel. The same image as `occlusion` and `blood`, if the layer has these maps. */
+  onset?: FileImage
+  onsetStrength?: number
 }
 
 /** An area with its image and channel. Several areas can share an image. */
 export interface PackedArea {
   name: string
   image: FileImage
-  /** 0 = R to 3 = A. */
+  /** 0 = R, 1 = G, 2 = B, 3 = A. */
   channel: number
-  /** Index of its layer. */
   layer: number
   combine?: WrinkleSetDocument['areas'][number]['combine']
   activation?: number
 }
 
-/** Wrinkles with their images encoded. */
+/** Layers, areas and drivers with their images encoded. */
 export interface PackedWrinkles {
   layers: LayerImages[]
   areas: PackedArea[]
   drivers: WrinkleDriver[]
-  /** The lines of the layers. */
   strokes?: StoredStrokes
-  /** Corrections of recognised blendshapes. */
+  /** The user's corrections of automatically recognised blendshapes. */
   shapes?: readonly ShapeCorrection[] | undefined
 }
 
 const CLAMP_TO_EDGE = 33071
 
-/** glTF extension for textures with KTX 2 images. */
 export const KTX2_EXTENSION = 'KHR_texture_basisu'
 
-/** Returns whether any texture has a KTX 2 image. */
 export function usesKtx2({ textures = [] }: GltfJson): boolean {
   return textures.some(({ extensions }) => extensions?.[KTX2_EXTENSION] !== undefined)
 }
 
 /**
- * Adds wrinkles to a material. Appends images to the binary chunk and textures to their list, so that existing indices stay valid.
+ * Adds wrinkles to a material. Appends images, textures and buffer views at the end of their lists, so that existing
+ * indices stay valid.
  *
- * @param glb changed in place; its binary chunk is replaced.
- * @throws FurrowError if the result is not valid.
+ * @param glb changed in place. Its binary chunk is replaced.
+ * @throws FurrowError if the resulting extension is not valid.
  */
 export function embedWrinkles(glb: Glb, materialIndex: number, wrinkles: PackedWrinkles, who: string): void {
   const { json } = glb
@@ -83,7 +83,8 @@ export function embedWrinkles(glb: Glb, materialIndex: number, wrinkles: PackedW
     material.normalTexture = { ...quantised, ...textures.add(image, sampler) }
   }
   const normal = material.normalTexture
-  // Wrinkles use the texCoord of the skin's normal map. Write it explicitly for tools that prune unused attributes.
+  // Furrow ignores this index: wrinkles use the texture coordinates of the skin's normal map. The index is written so
+  // that tools do not remove these coordinates as unused attributes.
   const texCoord = normal?.texCoord ? { texCoord: normal.texCoord } : {}
   const skinSampler = json.textures?.[normal?.index ?? -1]?.sampler
   const textureInfo = (image: FileImage | undefined, more: object = {}) =>
@@ -98,6 +99,7 @@ export function embedWrinkles(glb: Glb, materialIndex: number, wrinkles: PackedW
     occlusionTexture: textureInfo(layer.occlusion, omitDefault('strength', layer.occlusionStrength, 1)),
     heightTexture: textureInfo(layer.height, { amplitude: layer.heightAmplitude }),
     bloodTexture: textureInfo(layer.blood, { amplitude: layer.bloodAmplitude }),
+    onsetTexture: textureInfo(layer.onset, omitDefault('strength', layer.onsetStrength, 1)),
   }))
   const areas = wrinkles.areas.map((area) => ({
     name: area.name,
@@ -108,7 +110,7 @@ export function embedWrinkles(glb: Glb, materialIndex: number, wrinkles: PackedW
     ...omitDefault('activation', area.activation, 0),
   }))
   const { drivers, strokes, shapes = [] } = wrinkles
-  // The round trip through JSON drops undefined fields.
+  // The round trip drops undefined fields.
   const extension = JSON.parse(
     JSON.stringify({
       layers,
@@ -129,7 +131,7 @@ function omitDefault(field: string, value: unknown, byDefault: unknown): object 
   return value === undefined || value === byDefault ? {} : { [field]: value }
 }
 
-/** Adds textures to a file and stores each image once. */
+/** Adds textures to a file. Stores each image once. */
 class TextureWriter {
   readonly #json: GltfJson
   readonly #views: BufferViewWriter
@@ -142,7 +144,7 @@ class TextureWriter {
     glb.json.textures ??= []
   }
 
-  /** @returns the fields of a texture info that refer to the texture. */
+  /** @returns fields of a texture info: index of the texture, and slice. */
   add(image: FileImage, sampler: number | undefined): { index: number; slice?: number } {
     const index = this.#added.get(image.bytes) ?? this.#add(image, sampler)
     return { index, ...(image.slice !== undefined && { slice: image.slice }) }
@@ -157,7 +159,7 @@ class TextureWriter {
     return index
   }
 
-  /** Returns the index of a sampler that clamps to the edge, because areas must not repeat. */
+  /** Returns the index of a sampler that clamps to the edge. Areas must not repeat. */
   clampedSampler(): number {
     this.#json.samplers ??= []
     const clamped = { wrapS: CLAMP_TO_EDGE, wrapT: CLAMP_TO_EDGE }

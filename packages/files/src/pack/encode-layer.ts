@@ -8,16 +8,18 @@ import { joinChannels } from '../wrinkles/shared-image.ts'
 import type { CheckedImage } from './checked-image.ts'
 import type { LayerImages } from './embed.ts'
 
-/** Maps of a layer of lines, as pixels. */
+/** Decoded maps of a layer that was drawn from wrinkle lines. */
 export interface LayerToEncode {
   name: string
-  /** Normal map of kind `detail`. */
+  /** Normal map of kind `detail`: normals on top of the skin's own normal map. */
   normal: RgbaImage
-  /** Heights in millimetres. Same size as the normals and the occlusion. */
+  /** Heights in millimetres, with the size of the normals and the occlusion. */
   heights: HeightMap
   occlusion: GrayImage
-  /** Half the side of the normals. */
+  /** Blood map with half the width and height of the normals. */
   blood: GrayImage
+  /** Onset map with the size of the normals. */
+  onset?: GrayImage
 }
 
 /** A layer with its maps as PNG. */
@@ -25,32 +27,36 @@ export interface LayerMaps extends Omit<LayerImages, MapName> {
   normal: CheckedImage
   occlusion: CheckedImage
   blood: CheckedImage
+  onset?: CheckedImage
   height?: CheckedImage
 }
 
 /**
- * Encodes the maps of a layer. Normals keep full resolution, because they show how steep a crease is. Other maps have half the side.
+ * Encodes the maps of a layer as PNG. Only normals keep full resolution, because they show how steep a crease is. Other
+ * maps get half the width and height.
  *
- * @param hasHeight whether the lines are deep enough to move the surface.
- * @param isShared whether occlusion and blood share one image, as in glTF files.
+ * @param hasHeight whether to store heights. False if the lines are too shallow to move the surface.
+ * @param isShared whether occlusion, blood and onset share one image, as in glTF files.
  */
 export async function encodeLayer(
-  { name, normal, heights, occlusion, blood }: LayerToEncode,
+  { name, normal, heights, occlusion, blood, onset }: LayerToEncode,
   hasHeight: boolean,
   isShared: boolean,
 ): Promise<LayerMaps> {
   const { width, height } = normal
   const normalBytes = await encodeRgbaNormalMap(normal)
   const open = halfSide(occlusion)
+  const begin = onset && halfSide(onset)
   const shared =
     isShared &&
-    (await image(`${name} occlusion`, joinChannels([open, undefined, blood], open.width, open.height)))
+    (await image(`${name} occlusion`, joinChannels([open, begin, blood], open.width, open.height)))
   const layer: LayerMaps = {
     name,
     kind: 'detail',
     normal: { name: `${name} normal`, mimeType: 'image/png', bytes: normalBytes, width, height },
     occlusion: shared || (await image(`${name} occlusion`, { ...open, channels: 1 })),
     blood: shared || (await image(`${name} blood`, { ...blood, channels: 1 })),
+    ...(begin && { onset: shared || (await image(`${name} onset`, { ...begin, channels: 1 })) }),
   }
   if (!hasHeight) return layer
   const { levels, amplitude } = heightLevels(heights.data)

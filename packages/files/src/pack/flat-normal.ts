@@ -3,7 +3,7 @@ import type { GltfJson, TextureInfo } from '../json/gltf-json.ts'
 const TRANSFORM = 'KHR_texture_transform'
 const FLOAT = 5126
 
-/** PNG with one flat normal: (128, 128, 255). */
+/** PNG of one texel with a flat normal: (128, 128, 255). */
 export const FLAT_NORMAL = Uint8Array.from(
   atob(
     'iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAACXBIWXMAAAPoAAAD6AG1e1JrAAAADElEQVQI12NoaPgPAAODAgDRhuTWAAAAAElFTkSuQmCC',
@@ -12,9 +12,9 @@ export const FLAT_NORMAL = Uint8Array.from(
 )
 
 /**
- * Returns the base colour's texture info if the material has no normal map and only the base colour's transform decodes its quantised
- * texture coordinates (KHR_mesh_quantization). Wrinkles use the normal map's coordinates, so such a material needs a normal map with
- * this transform.
+ * Returns the texture info of the base colour if its transform decodes quantised texture coordinates
+ * (KHR_mesh_quantization) and the material has no normal map. Wrinkles use the coordinates of the normal map, so the
+ * material then needs a normal map with this transform.
  */
 export function quantisedCoordinates(json: GltfJson, material: number): TextureInfo | undefined {
   const { normalTexture, pbrMetallicRoughness } = json.materials?.[material] ?? {}

@@ -8,18 +8,19 @@ import { interleave } from './area-images.ts'
 import { type CheckedImage, checkOneSize } from './checked-image.ts'
 import type { FileImage, LayerImages } from './embed.ts'
 
-/** Areas per slice of an array, one per channel. */
+/** Number of areas in one slice of a texture array, one per channel. */
 export const AREAS_PER_SLICE = 4
 
 const MIME_TYPE = 'image/ktx2'
 
 /**
- * Kinds of maps, one array each. Maps listed together share an image. Heights stay uncompressed, because relief reads them on the CPU.
+ * Maps by kind. Each kind becomes one texture array. Occlusion, blood and onset share an image. Heights stay PNG, because
+ * relief reads them on the CPU.
  */
-const KINDS = [['normal'], ['baseColor'], ['roughness'], ['occlusion', 'blood']] as const
+const KINDS = [['normal'], ['baseColor'], ['roughness'], ['occlusion', 'blood', 'onset']] as const
 
 /**
- * Encodes the maps of each kind except heights as one KTX 2 array in UASTC, with mipmaps.
+ * Encodes the maps of all layers as KTX 2 arrays in UASTC with mipmaps, one array per kind. Heights stay PNG.
  *
  * @throws FurrowError if maps of one kind differ in size, or their sides are not multiples of 4 texels.
  */
@@ -51,8 +52,8 @@ export async function encodeMapArrays(
 }
 
 /**
- * Encodes areas of one size as one KTX 2 array in UASTC, four per slice. The array has no mipmaps, because they would bleed across UV
- * islands.
+ * Encodes areas of equal size as one KTX 2 array in UASTC, four areas per slice. The array has no mipmaps, because they
+ * would bleed across UV islands.
  */
 export async function encodeAreaArray(weights: readonly GrayImage[], who: string): Promise<FileImage[]> {
   const { width, height } = weights[0]

@@ -9,30 +9,28 @@ import { addressOf, STROKES_FILE, WRINKLES_FILE } from '../wrinkles/folder-docum
 import { layersOf } from '../wrinkles/strokes.ts'
 import { drawnPaths, layersToDraw } from './draw-set.ts'
 
-/** A wrinkle set in a folder, opened to draw strokes. */
+/** Wrinkle set in a folder, with the list of files that will be written when its strokes are drawn. */
 export interface OpenSet {
   folder: string
   set: WrinkleSetDocument
-  /** Content of `wrinkles.json`, unparsed. */
+  /** Parsed content of `wrinkles.json`, before defaults are filled in. */
   json: object
   /** Whether the folder had no `wrinkles.json`. */
   isNew: boolean
-  /** Names of the layers to draw. */
   layers: string[]
   /** Path of `wrinkles.json`. */
   document: string
-  /** Paths of the images to write. */
   images: string[]
 }
 
-/** Layer name of strokes that name no layer. */
+/** Name of the layer if no stroke names one. */
 const DEFAULT_LAYER = 'expression'
 
 /**
- * Reads the wrinkle set of a folder, or plans one with the layers and areas of a strokes document.
+ * Reads the wrinkle set of a folder. If there is none, creates a set with the layers and areas of a strokes document.
  *
  * @param layer draws only this layer. Default: all layers with strokes or furrows.
- * @throws FurrowError if the set is malformed, or lacks a layer of the strokes.
+ * @throws FurrowError if the set is malformed, or lacks a layer that a stroke names.
  */
 export async function openSet(
   folder: string,
@@ -50,7 +48,7 @@ export async function openSet(
   return { folder, set, json, isNew, layers, document, images: paths.map((path) => join(folder, path)) }
 }
 
-/** Plans a set with the layers and areas of a strokes document. Each area is on the layer of the strokes it surrounds. */
+/** Creates a set with the layers and areas of a strokes document. An area gets the layer of the strokes inside it. */
 function setOf(document: StrokesDocument): WrinkleSetDocument {
   const { strokes, areas } = document
   const named = layersOf(document)

@@ -6,25 +6,25 @@ import type { PackedArea, PackedWrinkles } from './embed.ts'
 import { encodeLayer, type LayerMaps } from './encode-layer.ts'
 import { AREAS_PER_SLICE, encodeAreaArray, encodeMapArrays } from './ktx2-images.ts'
 
-/** No area in alpha, because image tools drop colours where alpha is 0. */
+/** Three areas per image. The alpha channel stays free, because image tools drop colours where alpha is 0. */
 const AREAS_PER_IMAGE = 3
 
 /**
- * Encodes maps, areas and strokes of automatic wrinkles for a file.
+ * Encodes automatic wrinkles for a glTF file.
  *
  * @param ktx2 whether maps and areas become KTX 2 arrays. Heights stay PNG.
  */
 export async function packAuto(wrinkles: AutoWrinkles, ktx2: boolean, who: string): Promise<PackedWrinkles> {
-  const { layers, areas, blood, furrows } = wrinkles
+  const { layers, areas, blood, bulges, furrows } = wrinkles
   const maps = await Promise.all(
     layers.map(async (layer, i): Promise<LayerMaps> => {
-      // Fine furrows are too shallow to move the surface.
+      // Fine furrows are too shallow to move the surface, so their layer has no heights.
       const isFlat = layer.name === furrows?.furrows.layer
       const maps = await encodeLayer({ ...layer, blood: halfSide(blood.maps[i]) }, !isFlat, true)
       return { ...maps, bloodAmplitude: blood.amplitude }
     }),
   )
-  const allAreas = [...areas, ...blood.areas, ...(furrows?.areas ?? [])]
+  const allAreas = [...areas, ...blood.areas, ...bulges, ...(furrows?.areas ?? [])]
   const weights = allAreas.map((area) => area.weights)
   const images = await (ktx2
     ? encodeAreaArray(weights, who)

@@ -11,20 +11,18 @@ import { type PackedSet, type PackOptions, packSet } from './pack.ts'
 import type { SetToPack } from './set-to-pack.ts'
 import { stripWrinkles } from './strip.ts'
 
-/** Result of adding wrinkles to a face. */
 export interface PackedFace {
   target: Target
   wrinkles: PackedSet
-  /** Warnings for the user. */
   warnings: string[]
 }
 
 /**
- * Adds a wrinkle set to a face. Replaces wrinkles that the material already has.
+ * Adds a wrinkle set to a material of a glTF file. Replaces wrinkles that the material already has.
  *
  * @param glb changed in place.
- * @param face path of the face, for errors.
- * @param options mesh and material default to those of the set, then to the choice of `findTarget`.
+ * @param face path of the file, for errors.
+ * @param options mesh and material default to those of the set. If the set names none, `findTarget` chooses.
  * @throws FurrowError if the wrinkles are invalid, or the mesh or the material does not exist.
  */
 export async function packFace(
@@ -47,7 +45,7 @@ export async function packFace(
   const { missing } = findDriverProblems(wrinkles.drivers, targets, jointNamesOf(glb.json))
   const { shapes = [] } = wrinkles
   const unknown = [...missing, ...missingIn(glb.json, target.material, shapes)].map(
-    (name) => `${who}: ${name} does not exist; it is kept`,
+    (name) => `${who}: ${name} does not exist; the reference to it is kept`,
   )
   return { target, wrinkles, warnings: [...wrinkles.warnings, ...unknown] }
 }

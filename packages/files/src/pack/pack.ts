@@ -5,37 +5,37 @@ import type { Progress } from '../base/progress.ts'
 import { withImageErrors } from '../images/image-errors.ts'
 import { encodePortablePng } from '../images/png.ts'
 import { type AreasPerImage, encodeAreaImages } from './area-images.ts'
-import { withBlood } from './blood-image.ts'
 import { type CheckedImage, checkMap, checkOneSize, scaleMap } from './checked-image.ts'
 import type { LayerImages, PackedArea, PackedWrinkles } from './embed.ts'
 import { AREAS_PER_SLICE, encodeAreaArray, encodeMapArrays } from './ktx2-images.ts'
 import type { MapToPack, SetToPack } from './set-to-pack.ts'
+import { shareImage } from './share-image.ts'
 
-/** Encoding and size of the packed images. */
+/** Options for the size and encoding of images in the packed file. */
 export interface PackOptions {
-  /** Areas per PNG image, one per channel. A slice of a KTX 2 array always holds four. */
+  /** Number of areas in one PNG image, one per channel. Ignored with `ktx2`, where a slice holds four areas. */
   areasPerImage: AreasPerImage
   /** Whether maps and areas become KTX 2 arrays. */
   ktx2: boolean
-  /** Side of the areas in texels. Default: `areaSize` of the set, or 128. */
+  /** Width and height of the areas, texels. Default: `areaSize` of the wrinkle set, or 128. */
   areaSize?: number
-  /** Side of the scaled maps in texels. Default: maps keep their size. */
+  /** Width and height of the maps, texels. Default: maps keep their size. */
   size?: number
 }
 
 export const PACK_DEFAULTS = { areasPerImage: 3, ktx2: false } as const satisfies PackOptions
 
-/** A wrinkle set with its images encoded, and warnings for the user. */
+/** A wrinkle set with its images encoded. */
 export interface PackedSet extends PackedWrinkles {
-  /** Side of the areas in texels. */
+  /** Width and height of the areas, texels. */
   areaSize: number
   warnings: string[]
 }
 
 /**
- * Encodes the images of a wrinkle set for a file.
+ * Loads, checks, scales and encodes the images of a wrinkle set.
  *
- * @throws FurrowError for the first invalid image or stroke, or a layer that does not exist.
+ * @throws FurrowError for the first invalid image or stroke, or if an area names a layer that does not exist.
  */
 export async function packSet(
   set: SetToPack,
@@ -92,7 +92,7 @@ async function packLayers(
   who: string,
   step: () => void,
 ): Promise<(LayerImages & { normal: CheckedImage })[]> {
-  // Maps with the same bytes are stored once.
+  // Maps with the same bytes share one image.
   const loaded: { kind: string; bytes: Uint8Array; image: CheckedImage }[] = []
   const load = async (map: MapToPack | undefined, name: string, kind: 'normals' | 'values' = 'values') => {
     if (!map) return undefined
@@ -120,8 +120,9 @@ async function packLayers(
       occlusion: await load(await maps.occlusion?.(), `${name} occlusion`),
       height: await load(await maps.height?.(), `${name} height`),
       blood: await load(await maps.blood?.(), `${name} blood`),
+      onset: await load(await maps.onset?.(), `${name} onset`),
     }
-    packed.push(await withBlood(images, who))
+    packed.push(await shareImage(images, who))
     step()
   }
   checkOneSize(

@@ -9,34 +9,34 @@ import { readStrokes, type StoredStrokes } from '../wrinkles/strokes.ts'
 type LayerEntry = WrinkleSetDocument['layers'][number]
 type AreaEntry = WrinkleSetDocument['areas'][number]
 
-/** A wrinkle set with functions that load its images, so that they need not be in memory at once. */
+/** A wrinkle set whose images are loaded one by one, to save memory. */
 export interface SetToPack extends Pick<WrinkleSetDocument, 'mesh' | 'material' | 'areaSize' | 'drivers'> {
   layers: readonly LayerToPack[]
   areas: readonly AreaToPack[]
   strokes?: () => Promise<StoredStrokes>
-  /** Corrections of recognised blendshapes. */
+  /** The user's corrections of automatically recognised blendshapes. */
   shapes?: readonly ShapeCorrection[]
 }
 
-/** A layer of `wrinkles.json` with functions that load its maps. */
+/** Layer of `wrinkles.json` with functions that load its maps. */
 export interface LayerToPack extends Omit<LayerEntry, MapName> {
   maps: { [Name in MapName]?: () => Promise<MapToPack> } & { normal(): Promise<MapToPack> }
 }
 
-/** A map: a PNG or JPEG file with its path for errors, or pixels to encode as PNG. */
+/** A map: the content and path of a PNG or JPEG file, or pixels to encode as PNG. */
 export type MapToPack = { path: string; bytes: Uint8Array } | Pixels
 
-/** An area of `wrinkles.json` with a function that loads its weights. */
+/** Area of `wrinkles.json` with a function that loads its weights. */
 export interface AreaToPack extends Omit<AreaEntry, 'image' | 'convention'> {
   weights(): Promise<GrayImage>
-  /** Appended to the warning about an empty area. */
+  /** Text that is appended to the warning about an empty area. */
   hint?: string
 }
 
-/** Reads a file by its URI in the wrinkle set. */
+/** Reads a file by its URI in `wrinkles.json`. */
 export type ReadFile = (uri: string) => Promise<Uint8Array>
 
-/** Returns the wrinkle set of a folder. Images are read during packing. */
+/** Converts the document of a folder. Images are read later, when `packSet` loads them. */
 export function setOfFolder(document: WrinkleSetDocument, read: ReadFile, who: string): SetToPack {
   const { mesh, material, areaSize, drivers, strokes } = document
   const names = document.layers.map(({ name }) => name)
@@ -60,7 +60,7 @@ export function setOfFolder(document: WrinkleSetDocument, read: ReadFile, who: s
 }
 
 function layerOfFolder(entry: LayerEntry, read: ReadFile): LayerToPack {
-  const { normal, baseColor, roughness, occlusion, height, blood, ...layer } = entry
+  const { normal, baseColor, roughness, occlusion, height, blood, onset, ...layer } = entry
   const maps = MAP_SLOTS.flatMap(([map]) => {
     const path = entry[map]
     return path === undefined ? [] : [[map, async () => ({ path, bytes: await read(path) })] as const]

@@ -4,11 +4,11 @@ import { type BufferView, compressedViews, type GltfJson } from '../json/gltf-js
 import { KTX2_EXTENSION, usesKtx2 } from './embed.ts'
 
 /**
- * Removes the wrinkles of a material. Removes their textures, images and bytes only from the end of the file, where `furrow pack` puts
- * them, so that other indices stay valid.
+ * Removes the wrinkles of a material. Removes textures, images and buffer views only from the end of their lists, where
+ * `furrow pack` appends them. So all other indices stay valid.
  *
- * @param glb changed in place; its binary chunk becomes a shorter view of the same memory.
- * @returns number of textures that stay because other textures follow them.
+ * @param glb changed in place. Its binary chunk becomes a shorter view of the same memory.
+ * @returns number of textures that could not be removed, because other textures follow them.
  */
 export function stripWrinkles(glb: Glb, materialIndex: number, who: string): number {
   const { json } = glb
@@ -46,12 +46,13 @@ function ownTextures(json: GltfJson, extension: unknown, who: string): Set<numbe
     layer.occlusionTexture,
     layer.heightTexture,
     layer.bloodTexture,
+    layer.onsetTexture,
   ])
   const all = [...infos, ...areas.map(({ texture }) => texture)]
   return new Set(all.flatMap((info) => (info ? [info.index] : [])))
 }
 
-/** Returns the image indices of a texture and its extensions. */
+/** Returns the indices of the images that a texture and its extensions refer to. */
 function imagesOf(texture: object): Set<number> {
   return indicesUnder(texture, /^source$/)
 }
@@ -73,7 +74,7 @@ function usesSampler({ textures = [] }: GltfJson, index: number): boolean {
   return textures.some(({ sampler }) => sampler === index)
 }
 
-/** Removes items from the end of a list while `isUnused` returns true. Deletes an empty list. */
+/** Removes items from the end of a list while `isUnused` returns true. Deletes the list if it becomes empty. */
 function popWhile<K extends 'textures' | 'images' | 'bufferViews' | 'samplers'>(
   json: GltfJson,
   key: K,
@@ -86,7 +87,10 @@ function popWhile<K extends 'textures' | 'images' | 'bufferViews' | 'samplers'>(
   return removed
 }
 
-/** Collects all numbers below fields whose name matches. Conservative, because the JSON can have unknown extensions. */
+/**
+ * Collects all numbers inside fields whose name matches. Some numbers may not be indices, but no index in an unknown
+ * extension is missed.
+ */
 function indicesUnder(value: unknown, name: RegExp, inside = false, found = new Set<number>()): Set<number> {
   if (inside && typeof value === 'number') found.add(value)
   if (typeof value !== 'object' || value === null) return found
@@ -96,7 +100,9 @@ function indicesUnder(value: unknown, name: RegExp, inside = false, found = new 
   return found
 }
 
-/** Truncates the binary chunk at the start of the removed views, but not before the end of the last kept view. */
+/**
+ * Truncates the binary chunk where the removed buffer views start, but keeps the bytes of all remaining buffer views.
+ */
 function cutBinaryChunk(glb: Glb, removed: readonly BufferView[]): void {
   const { bufferViews = [], buffers = [] } = glb.json
   const kept = bufferViews

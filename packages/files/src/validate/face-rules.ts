@@ -6,32 +6,31 @@ import { errorFinding, type Finding, warningFinding } from './finding.ts'
 
 type Primitive = GltfMesh['primitives'][number]
 
-/** Lowest primitive mode with triangles; lower modes are points and lines. */
+/** First primitive mode with triangles. Lower modes are points and lines. */
 const TRIANGLES = 4
 
-/** Attributes that a mesh with wrinkles needs, and the remedy if one is missing. */
+/** Attributes that a mesh needs to show wrinkles, each with a remedy. */
 const ATTRIBUTES = [
   ['POSITION', 'export the file again'],
   ['NORMAL', 'export the mesh with normals'],
   ['TEXCOORD_0', 'unwrap the mesh: areas and layers are in its UV layout'],
 ] as const
 
-/** Finding for each kind of shading. */
 const SHADING_FINDINGS = {
   lit: undefined,
-  unlit: errorFinding('UNLIT', 'it is unlit (KHR_materials_unlit); make it a lit one'),
-  toon: warningFinding('MTOON', 'it is MToon: wrinkles are drawn as lines, on pages that register three-vrm'),
+  unlit: errorFinding('UNLIT', 'it is unlit (KHR_materials_unlit); make it a lit material'),
+  toon: warningFinding('MTOON', 'it is MToon: pages that register three-vrm draw wrinkles as lines'),
 } as const
 
-/** Returns whether any scene has triangles with a material. */
+/** Returns whether a scene has triangles with this material. */
 export function isDrawn(json: GltfJson, material: number): boolean {
   return drawnPrimitives(json, material).length > 0
 }
 
 /**
- * Checks that a material and its faces can show wrinkles, by the rules of the loaders.
+ * Checks whether a material and its meshes can show wrinkles, by the rules of the loaders.
  *
- * @param faces indices of the meshes to check; other meshes with the material are ignored.
+ * @param faces indices of the meshes to check. Other meshes with the material are ignored.
  */
 export function checkFaces(json: GltfJson, material: number, faces: readonly number[]): Finding[] {
   const shading = SHADING_FINDINGS[shadingOf(json, material)]
@@ -39,10 +38,10 @@ export function checkFaces(json: GltfJson, material: number, faces: readonly num
 }
 
 /**
- * Checks one mesh and material before they get wrinkles.
+ * Checks a mesh and a material before wrinkles are added.
  *
  * @returns warnings.
- * @throws FurrowError if loaders would not show wrinkles there.
+ * @throws FurrowError if loaders would not show wrinkles on this mesh.
  */
 export function faceWarnings(
   json: GltfJson,
@@ -59,7 +58,7 @@ export function faceWarnings(
   return findings.map(({ message }) => `the material "${name}": ${message}`)
 }
 
-/** Lists attributes that the meshes with a material lack. */
+/** Lists the required attributes that meshes with a material lack. */
 function missingAttributes(json: GltfJson, material: number, faces: readonly number[]): Finding[] {
   const primitives = drawnPrimitives(json, material, faces)
   return ATTRIBUTES.flatMap(([name, remedy]) => {
@@ -78,7 +77,7 @@ function drawnPrimitives(json: GltfJson, material: number, faces?: readonly numb
   })
 }
 
-/** Returns the indices of meshes in any scene. */
+/** Returns the indices of the meshes that a scene contains. */
 function meshesInScenes({ scenes = [], nodes = [] }: GltfJson): number[] {
   const reached = new Set<number>()
   let level = scenes.flatMap((scene) => scene.nodes ?? [])

@@ -1,9 +1,8 @@
-/** An error or a warning about a file. */
 export interface Finding {
   severity: 'error' | 'warning'
   code: string
   message: string
-  /** JSON pointer into the file. */
+  /** JSON pointer to the faulty part of the file (RFC 6901). */
   pointer?: string
 }
 

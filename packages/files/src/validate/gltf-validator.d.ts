@@ -1,4 +1,4 @@
-/** Types for the used part of the Khronos validator, whose package has none. */
+/** Types for the functions of the Khronos validator that this package calls. The npm package has no types. */
 declare module 'gltf-validator' {
   export interface Issue {
     code: string

@@ -4,24 +4,24 @@ import { normalised, unescaped } from '../base/references.ts'
 import type { Glb } from '../gltf/glb.ts'
 import { errorFinding, type Finding, warningFinding } from './finding.ts'
 
-/** Limit of the Khronos validator. */
+/** The Khronos validator stops after this number of issues. */
 const MAX_ISSUES = 1000
 
-/** Time limit of the validator: about ten times its usual duration. */
+/** Time limit of the Khronos validator, about ten times its usual duration. */
 const SECONDS = 10
 const SECONDS_PER_MB = 1
 
-/** Code of the finding that the Khronos validator did not finish. */
+/** Code of the finding if the Khronos validator failed or took too long. */
 export const VALIDATOR_FAILED = 'VALIDATOR'
 
-/** Codes of the Khronos validator for images in an unknown format. */
+/** Codes of the Khronos validator for images in a format that it does not know. */
 const UNKNOWN_FORMAT = ['VALUE_NOT_IN_LIST', 'IMAGE_UNRECOGNIZED_FORMAT']
 
 /**
- * Runs the Khronos validator. Drops its findings about the extension and KTX 2 images, which it does not know; `checkWrinkles` checks
- * them.
+ * Runs the Khronos validator. Drops its findings about FURROW_wrinkle_maps and KTX 2 images, which it does not know.
+ * `checkWrinkles` checks both.
  *
- * @param glb result of `openGlb`. The validator gets the original bytes, before external files were embedded.
+ * @param glb result of `openGlb`. The validator reads `glb.bytes`, the original file.
  */
 export async function runKhronosValidator({ json, bytes, references }: Glb): Promise<Finding[]> {
   const seconds = Math.ceil(SECONDS + (SECONDS_PER_MB * bytes.length) / 1e6)
@@ -39,7 +39,7 @@ export async function runKhronosValidator({ json, bytes, references }: Glb): Pro
     })
 }
 
-/** Maps external files by normalised path, because the validator requests them by normalised URI. */
+/** Returns the referenced files by normalised path. The validator requests files by normalised URI. */
 function filesOf(references: Glb['references']): Map<string, Uint8Array> {
   const files = [...references].filter(([, { path }]) => path !== undefined)
   return new Map(files.map(([uri, { bytes }]) => [normalised(unescaped(uri).replaceAll('\\', '/')), bytes]))

@@ -16,8 +16,8 @@ import { checkFaces, isDrawn } from './face-rules.ts'
 import { errorFinding, type Finding, warningFinding } from './finding.ts'
 
 /**
- * Checks every material with wrinkles by the rules of the extension. Reports errors exactly if a loader would show the face without
- * wrinkles. Never throws FurrowError.
+ * Checks every material with wrinkles by the rules of the extension FURROW_wrinkle_maps. Reports an error exactly if a
+ * loader would show the face without wrinkles. Never throws FurrowError.
  */
 export async function checkWrinkles(glb: Glb): Promise<Finding[]> {
   const materials = wrinkledMaterials(glb)
@@ -88,7 +88,7 @@ async function findingsOf(glb: Glb, material: number): Promise<Finding[]> {
   }
 }
 
-/** Removes height maps that cannot be decoded: only relief needs heights, so loaders show the other maps. */
+/** Removes height maps that cannot be decoded. Loaders still show the other maps, because only relief uses heights. */
 async function withoutDamagedHeights({ glb, material, maps }: WrinkledFile): Promise<WrinkledFile> {
   const layers = maps.layers.map(async (layer) => {
     const { heightTexture, ...rest } = layer
@@ -114,13 +114,13 @@ function checkSizes({ layers }: Inspection): Finding[] {
     maps
       .filter((map) => !isFractionOf(map, maps[0]))
       .map((map) => {
-        const message = `layer "${name}": ${map.map} is ${sizeText(map)}, its normal map ${sizeText(maps[0])}`
+        const message = `layer "${name}": ${map.map} has ${sizeText(map)} texels, not an integer fraction of the normal map's ${sizeText(maps[0])}`
         return warningFinding('MAP_SIZES', message)
       }),
   )
 }
 
-/** Returns whether a map is as large as the normal map or smaller by the same integer factor in both directions. */
+/** Returns whether a map has the size of the normal map, divided by the same integer in both directions. */
 function isFractionOf(map: MapSize, normal: MapSize): boolean {
   const factor = normal.width / map.width
   return Number.isInteger(factor) && factor === normal.height / map.height
@@ -137,7 +137,10 @@ function checkImages({ layers }: Inspection): Finding[] {
   })
 }
 
-/** ETC1S stores 4 x 4 texels as points between two colours. These blocks are visible in shaded normals. */
+/**
+ * Warns about normal maps in ETC1S. In this format, a block of 4 x 4 texels has at most four colours. This is too
+ * coarse for normals, so the blocks are visible after shading.
+ */
 function checkEncodings({ glb, maps }: WrinkledFile): Finding[] {
   return maps.layers.flatMap(({ name, normalTexture }) => {
     const header = ktx2HeaderOf(glb, normalTexture.index, WRINKLE_MAPS)
@@ -147,7 +150,7 @@ function checkEncodings({ glb, maps }: WrinkledFile): Finding[] {
 }
 
 function checkAreas({ areas }: Inspection): Finding[] {
-  // Image tools cannot open arrays, so only areas in images are at risk.
+  // Image tools can discard colours only in PNG images, because they cannot open KTX 2 arrays.
   const inImages = areas.filter(({ channel, slice }) => channel === 'A' && slice === undefined)
   const withAlpha = new Set(inImages.map(({ texture }) => texture))
   return areas.flatMap((area) => {
@@ -155,14 +158,14 @@ function checkAreas({ areas }: Inspection): Finding[] {
     if (area.largest === 0)
       findings.push(warningFinding('AREA_INVISIBLE', `area "${area.name}" is empty: all weights are 0`))
     if (area.channel !== 'A' && withAlpha.has(area.texture)) {
-      const message = `area "${area.name}" shares texture ${area.texture} with an area in alpha: tools that resize or compress the texture lose the colours where alpha is 0`
+      const message = `area "${area.name}" shares texture ${area.texture} with an area in the alpha channel: tools that resize or compress the texture discard colours where alpha is 0`
       findings.push(warningFinding('AREA_UNDER_ALPHA', message))
     }
     return findings
   })
 }
 
-/** Warns about textures whose `texCoord` differs from the material's normal map: loaders use the normal map's for all maps. */
+/** Warns about a texture whose `texCoord` differs from the normal map's. Loaders use the normal map's for all textures. */
 function checkCoordinates({ glb, material, maps }: WrinkledFile): Finding[] {
   const expected = glb.json.materials![material].normalTexture?.texCoord ?? 0
   const infos = [
@@ -171,7 +174,7 @@ function checkCoordinates({ glb, material, maps }: WrinkledFile): Finding[] {
   ]
   const other = infos.find((info) => ((info as { texCoord?: number }).texCoord ?? 0) !== expected)
   if (!other) return []
-  const message = `texCoord of texture ${other.index} is ignored: loaders use the one of normalTexture (${expected})`
+  const message = `loaders ignore the texCoord of texture ${other.index} and use that of normalTexture (${expected})`
   return [warningFinding('TEXCOORD', message)]
 }
 
@@ -185,7 +188,9 @@ function checkDrivers({ glb, material, maps: { drivers } }: WrinkledFile): Findi
     jointNamesOf(glb.json),
   )
   return [
-    ...unknownTypes.map((type) => warningFinding('DRIVER_TYPE', `drivers of type "${type}" are ignored`)),
+    ...unknownTypes.map((type) =>
+      warningFinding('DRIVER_TYPE', `unknown driver type "${type}"; loaders ignore it`),
+    ),
     ...missing.map((input) => warningFinding('DRIVER_NAME', `${input} does not exist`)),
     ...cyclicAreas.map((area) =>
       warningFinding('DRIVER_CYCLE', `area "${area}" drives itself; its drivers that read areas are ignored`),

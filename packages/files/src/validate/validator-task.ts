@@ -1,15 +1,15 @@
 import type { Issue } from 'gltf-validator'
 
-/** Input of the thread that runs the Khronos validator. */
+/** Message to the thread that runs the Khronos validator. */
 export interface ValidatorTask {
-  /** Transferred to the thread. */
+  /** Content of the file. Its buffer is transferred to the thread. */
   bytes: Uint8Array<ArrayBuffer>
-  /** Referenced files, by normalised path. */
+  /** Content of the referenced files, by normalised path. */
   files: ReadonlyMap<string, Uint8Array>
   maxIssues: number
 }
 
-/** Result of the validator: its issues, or the reason for a failure. */
+/** Message from the thread: the issues that the validator found, or the reason why it failed. */
 export interface ValidatorOutcome {
   issues?: Issue[]
   failure?: string

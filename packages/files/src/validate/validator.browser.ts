@@ -1,11 +1,11 @@
 import type { ValidatorOutcome, ValidatorTask } from './validator-task.ts'
 
-/** Time that the validator gets to report after an uncaught error. */
+/** Time in which the validator may still report after an uncaught error. */
 const SECONDS_AFTER_ERROR = 2
 
 /**
- * Runs the Khronos validator in a separate worker, for at most `seconds`. On damaged images and misaligned accessors it throws outside its
- * promise, and then either still reports or never responds.
+ * Runs the Khronos validator in a separate worker, for at most `seconds`. On damaged images and misaligned accessors
+ * the validator throws outside its promise. After that it may still report, or never respond.
  */
 export function runValidator(task: ValidatorTask, seconds: number): Promise<ValidatorOutcome> {
   const worker = new Worker(new URL('./validator-worker.ts', import.meta.url), { type: 'module' })

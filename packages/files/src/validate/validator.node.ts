@@ -3,8 +3,9 @@ import { Worker } from 'node:worker_threads'
 import type { ValidatorOutcome, ValidatorTask } from './validator-task.ts'
 
 /**
- * Code of the validator's thread. On damaged images and misaligned accessors the validator throws outside its promise, and then either
- * still reports or exits without a report. `runValidator` handles both.
+ * Source code of the thread that runs the Khronos validator. On damaged images and misaligned accessors the validator
+ * throws outside its promise. After that it may still report, or the thread exits without a report. `runValidator`
+ * handles both.
  */
 const THREAD = `
   const { posix } = require('node:path')

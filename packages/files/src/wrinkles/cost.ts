@@ -1,16 +1,20 @@
 import type { Inspection } from './inspect.ts'
 
-/** Cost of the wrinkles in a file, in bytes. */
+/** Storage and GPU memory of the wrinkles in a file, bytes. */
 export interface Cost {
-  /** Images and strokes in the file. */
+  /** Size of the images and strokes in the file. */
   file: number
-  /** Maps, areas and one influence map on a desktop GPU. Compressed maps become BC1 there. */
+  /** GPU memory of maps, areas and one influence map on a desktop GPU, where KTX 2 maps become BC1. */
   gpu: number
-  /** Same as `gpu` on a phone, where compressed maps become ASTC 4x4. */
+  /** GPU memory on a phone, where KTX 2 maps become ASTC 4x4. */
   phone: number
 }
 
-/** Computes the cost of automatic wrinkles from the report of `inspectWrinkles`. */
+/**
+ * Computes the cost of automatic wrinkles from the report of `inspectWrinkles`.
+ *
+ * @param ktx2 whether the maps are KTX 2 arrays.
+ */
 export function costOf({ imageBytes, strokes, gpu, influenceMapBytes }: Inspection, ktx2: boolean): Cost {
   return {
     file: imageBytes + strokes.bytes,

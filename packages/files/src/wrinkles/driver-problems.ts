@@ -8,24 +8,27 @@ import {
   valueSource,
 } from 'furrow/internal'
 
-/** Problems with drivers that cause only warnings: a loader skips these drivers and runs the others. */
+/**
+ * Faults in drivers (rules that control areas of wrinkles). They cause only warnings, because a loader skips faulty
+ * drivers and runs the others.
+ */
 export interface DriverProblems {
-  /** Types that are neither built in nor registered, without duplicates. */
+  /** Driver types that are neither built in nor registered. Each is listed once. */
   unknownTypes: readonly string[]
-  /** Inputs that the face lacks, e.g. `target "jawOpen" of a driver of area "chin"`. */
+  /** Blendshapes and joints that the file lacks, e.g. `target "jawOpen" of a driver of area "chin"`. */
   missing: readonly string[]
-  /** Areas that drive themselves. */
+  /** Names of areas that drive themselves. */
   cyclicAreas: readonly string[]
 }
 
-/** Checks drivers against the names that a face has. */
+/** Checks drivers against the names of blendshapes and joints in a file. */
 export function findDriverProblems(
   drivers: readonly WrinkleDriver[],
   targetNames: readonly string[],
   jointNames: readonly string[],
 ): DriverProblems {
   const plan = planDrivers(drivers)
-  // Expression players compute a target for each muscle.
+  // A muscle is a valid target: expression players compute a blendshape for each muscle.
   const muscles = driversOf('muscle', drivers).map(({ name }) => name)
   const { missing } = new DriverProgram(plan, {
     target: targetSource(plan.inputs.target, [...targetNames, ...muscles]),

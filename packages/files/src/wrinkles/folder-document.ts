@@ -4,27 +4,28 @@ import { MAP_SLOTS } from './map-slots.ts'
 
 type Json = Record<string, unknown>
 
-/** File name of the wrinkle set's document. */
+/** File name of the document that describes the wrinkle set of a folder. */
 export const WRINKLES_FILE = 'wrinkles.json'
 
-/** File name of the strokes document. */
+/** File name of the document with strokes (wrinkle lines). */
 export const STROKES_FILE = 'strokes.json'
 
 const OPTIONAL_MAPS = MAP_SLOTS.filter(([map]) => map !== 'normal')
 
-/** Maps that require an amplitude, with its limit and a typical value for errors. */
+/** Maps that require an amplitude. `limit` and `typical` are for errors. */
 const AMPLITUDES = [
   { map: 'height', limit: 'metres from black to white', typical: 0.002 },
   { map: 'blood', limit: `0 to ${MAX_BLOOD_AMPLITUDE}`, typical: 0.3 },
 ] as const
 
 /**
- * Returns the wrinkle set of a folder: its `wrinkles.json`, completed with `strokes.json` and the files in `layers/` and `areas/`.
+ * Returns the wrinkle set of a folder. If `wrinkles.json` omits the layers, the areas, the strokes or an optional map of
+ * a layer, this function adds the files in the folder.
  *
- * @param json content of `wrinkles.json`; undefined if the folder has none.
- * @param files paths of all files in the folder, relative to it, with `/`.
+ * @param json content of `wrinkles.json`, or undefined if the folder has none.
+ * @param files paths of all files in the folder, relative to it, with `/` as separator.
  * @param folder path of the folder, for errors.
- * @param convention default convention of areas.
+ * @param convention whether black or white means visible, for areas without a `convention`.
  * @throws FurrowError if the document is malformed, or the folder has no layers or no areas.
  */
 export function folderDocument(
@@ -55,7 +56,7 @@ export function folderDocument(
   )
 }
 
-/** Returns the URI of a file relative to `wrinkles.json`, with `#`, `?` and `%` escaped. */
+/** Converts a path relative to `wrinkles.json` to a URI. Escapes `#`, `?` and `%`. */
 export function addressOf(path: string): string {
   return path.split('/').map(encodeURIComponent).join('/')
 }
@@ -68,7 +69,7 @@ function foundAreas(files: readonly string[]): Json[] {
   return matches(files, /^areas\/([^/]+)\.png$/).map((name) => ({ name }))
 }
 
-/** Adds optional maps that the layer's folder has and the document does not name, because readers of the document cannot see the folder. */
+/** Adds maps to the layers of a document: all images in a layer's folder that the document does not name. */
 function completeLayers(layers: unknown[], files: readonly string[], who: string): void {
   for (const layer of layers) {
     if (!isObject(layer) || typeof layer.name !== 'string') continue
@@ -80,7 +81,10 @@ function completeLayers(layers: unknown[], files: readonly string[], who: string
   }
 }
 
-/** Explains a missing amplitude to users who added a map to the folder without editing `wrinkles.json`. */
+/**
+ * Throws if a layer has a height or blood map but no amplitude. Users cause this when they add the map to the folder
+ * and do not edit `wrinkles.json`.
+ */
 function checkAmplitudes(layer: Json, files: readonly string[], who: string): void {
   for (const { map, limit, typical } of AMPLITUDES) {
     const file = `layers/${layer.name}/${map}.png`
@@ -89,7 +93,7 @@ function checkAmplitudes(layer: Json, files: readonly string[], who: string): vo
     const entry = JSON.stringify({ name: layer.name, [amplitude]: typical })
     throw new FurrowError({
       who,
-      problem: `${file} requires ${amplitude} of its layer, missing in ${WRINKLES_FILE}`,
+      problem: `${file} requires ${amplitude}, which its layer in ${WRINKLES_FILE} lacks`,
       limit,
       remedy: `add it to "layers" in ${WRINKLES_FILE}, e.g. ${entry}, or move the map out of the folder`,
     })

@@ -8,10 +8,11 @@ import { readJson } from '../disk/read-bytes.ts'
 import { folderDocument, WRINKLES_FILE } from './folder-document.ts'
 
 /**
- * Reads the wrinkle set of a folder: its `wrinkles.json`, completed with `strokes.json` and the files in `layers/` and
- * `areas/`. Without `wrinkles.json`, uses all layers and areas in the folder in alphabetical order.
+ * Reads `wrinkles.json` of a folder. If it omits the layers, the areas, the strokes or an optional map of a layer, this
+ * function adds the files in the folder. Without `wrinkles.json`, layers and areas are in alphabetical order.
  *
- * @param whiteIsVisible default convention of areas: true for white = visible, false for the paper's black = visible.
+ * @param whiteIsVisible for areas without a `convention`: true for white = visible, false for black = visible (as in
+ *   the paper of Reis, De Martino and Batagelo).
  * @throws FurrowError if the document is malformed, or the folder has no layers or no areas.
  */
 export async function readFolder(
@@ -26,7 +27,7 @@ export async function readFolder(
 }
 
 /**
- * Reads a file that `wrinkles.json` refers to.
+ * Reads a file to which `wrinkles.json` refers.
  *
  * @throws FurrowError if the file cannot be read, or is outside the folder and `options` do not allow that.
  */
@@ -40,7 +41,7 @@ export async function readReferenced(
   return (await read(uri)).bytes
 }
 
-/** Lists all files in a folder and its subfolders: relative paths with `/`, sorted. */
+/** Lists all files in a folder and its subfolders. Paths are relative, with `/` as separator, and sorted. */
 async function listFiles(folder: string, who: string): Promise<string[]> {
   if ((await statOf(folder).catch(() => undefined))?.isFile()) throw isFile(folder, who)
   try {

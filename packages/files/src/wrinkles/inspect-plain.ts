@@ -6,32 +6,30 @@ import { inspectShapes, type ShapeReport } from './inspect-shapes.ts'
 
 export interface MeshReport {
   mesh: string
-  /** Names of the mesh's materials. */
   materials: string[]
   vertices: number
   triangles: number
   blendshapes: string[]
 }
 
-/** Report on a face without wrinkles, with the next command to add them. */
 export interface PlainInspection {
   fileBytes: number
   meshes: MeshReport[]
-  /** Mesh that `furrow auto` chooses; absent if none is suitable. */
+  /** Mesh and material that `furrow auto` chooses. Absent if no mesh is suitable. */
   skin?: { mesh: string; material: string; reason: string }
-  /** Blendshapes of the skin; empty without a skin. */
+  /** Recognised blendshapes of `skin`. Empty without `skin`. */
   shapes: ShapeReport[]
-  /** Whether `furrow auto` can generate wrinkles: the skin has blendshapes that move it. */
+  /** Whether `furrow auto` can generate wrinkles. True if blendshapes move `skin`. */
   auto: boolean
-  /** Suggested next command. */
+  /** Suggestion for the user: the next command or step. */
   next: string
 }
 
 /**
- * Inspects a face without wrinkles.
+ * Inspects a file without wrinkles.
  *
- * @param document the decoded `glb`.
- * @returns the report, and the skin if a mesh can show wrinkles.
+ * @param document `glb`, decoded.
+ * @returns the report, and the surface that `furrow auto` would choose if there is one.
  */
 export function inspectPlain(
   glb: Glb,
@@ -59,7 +57,7 @@ function nextStep(path: string, skin: FoundSkin | undefined, auto: boolean): str
   return 'no blendshape moves the skin: draw wrinkles (furrow strokes) or paint them over its UV layout (furrow uv)'
 }
 
-/** Quotes a path for a shell if needed. */
+/** Quotes a path for a shell if it has special characters. */
 function quoted(path: string): string {
   return /^[\p{L}\p{N}_./\\:-]+$/u.test(path) ? path : `"${path}"`
 }

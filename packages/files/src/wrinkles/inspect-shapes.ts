@@ -1,18 +1,17 @@
 import type { Skin } from 'furrow/author'
 import { type RecognisedShape, recogniseShapes } from 'furrow/internal'
 
-/** A blendshape of the skin, recognised by motion and name, or corrected by the file. */
+/** Facial shape of one blendshape, recognised by its motion and name, or stated in the file. */
 export interface ShapeReport extends Pick<RecognisedShape, 'by'> {
   blendshape: string
-  /** Name of the ARKit shape; null if unknown, or if it matches no single ARKit shape. */
+  /** Name of the ARKit shape. Null if the blendshape is unknown, or matches several ARKit shapes. */
   shape: string | null
-  /** Kind guessed from the name if `shape` is null, such as `viseme`. */
+  /** Kind of shape that the name suggests, e.g. `viseme`. Only if `shape` is null. */
   kind?: string
-  /** 0..1 */
+  /** Confidence of the recognition, 0..1. */
   confidence: number
 }
 
-/** Recognises the blendshapes of a skin. */
 export function inspectShapes(skin: Skin): ShapeReport[] {
   return recogniseShapes(skin).shapes.map(({ name, shape, confidence, by, hint }) => ({
     blendshape: name,

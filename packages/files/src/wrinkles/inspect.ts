@@ -16,11 +16,11 @@ import {
 import { strokesBytes, strokesIn } from './strokes.ts'
 import type { WrinkledFile } from './wrinkled-file.ts'
 
-/** One map of one layer. */
+/** Size of one map of one layer. */
 export interface MapReport {
   map: MapName
   texture: number
-  /** Index in a KTX 2 array. `bytes` counts the whole array. */
+  /** Slice of a KTX 2 array. `bytes` is then the size of the whole array. */
   slice?: number
   mimeType: string
   width: number
@@ -40,37 +40,37 @@ export interface AreaReport {
   name: string
   layer: string
   texture: number
-  /** Index in a KTX 2 array. */
+  /** Slice of a KTX 2 array. */
   slice?: number
   channel: string
   combine: string
   activation: number
   width: number
   height: number
-  /** Fraction of the texels with a weight above 0, 0..1. */
+  /** Fraction of texels with a weight above 0, 0..1. */
   coverage: number
   /** Largest weight, 0..1. */
   largest: number
 }
 
-/** Report on the wrinkles in a file, with their cost. */
+/** Report on the wrinkles of a material: contents, file size and GPU memory. */
 export interface Inspection {
   material?: string
   fileBytes: number
-  /** Bytes of the wrinkles' images in the file; shared images count once. */
+  /** Bytes of all images with wrinkles in the file. A shared image counts once. */
   imageBytes: number
-  /** Maps and areas, shared by all faces of the file. */
+  /** GPU memory of maps and areas. All faces from this file share it. */
   gpu: GpuSizes
-  /** Additional GPU memory per face. */
+  /** Additional GPU memory per face, bytes. */
   influenceMapBytes: number
   layers: LayerReport[]
   areas: AreaReport[]
   drivers: WrinkleDriver[]
-  /** Number of strokes, and their bytes in the file. */
+  /** Number of strokes (wrinkle lines), and the bytes that they take in the file. */
   strokes: { count: number; bytes: number }
 }
 
-/** Measures the wrinkles of a file. Throws FurrowError if an image is missing or cannot be decoded. */
+/** Measures the wrinkles of a material. Throws FurrowError if an image is missing or cannot be decoded. */
 export async function inspectWrinkles(file: WrinkledFile, who: string): Promise<Inspection> {
   const { glb, maps } = file
   const layers = await Promise.all(
@@ -117,7 +117,7 @@ export async function inspectWrinkles(file: WrinkledFile, who: string): Promise<
   }
 }
 
-/** Decodes the weights of one area at the size of its image. */
+/** Decodes the weights of one area, with the width and height of its image. */
 export async function weightsOf({ glb, maps }: WrinkledFile, area: number, who: string): Promise<GrayImage> {
   const { texture, channel } = maps.areas[area]
   return channelOf(await pixelsOf(glb, texture, who), channel)
@@ -140,12 +140,15 @@ async function measureMap(
     width,
     height,
     bytes: bytes.length,
-    // Only relief uploads heights, and relief is off by default.
+    // Height maps are not counted, because they are uploaded only if a page turns relief on.
     gpu: map === 'height' ? NO_SIZES : mapSizes(width, height),
   }
 }
 
-/** On the GPU, each area of an image gets its own slice. A KTX 2 array keeps its slices of up to four areas. */
+/**
+ * Computes the GPU memory of each area. An area in a PNG image gets its own slice on the GPU. Areas in a KTX 2 array
+ * share slices, up to four in one.
+ */
 function areaGpuSizes(areas: readonly AreaReport[]): GpuSizes[] {
   const slices = new Map(areas.map((area) => [`${area.texture} ${area.slice}`, area]))
   if (areas[0].slice !== undefined) {

@@ -3,10 +3,10 @@ import { readGlbFile } from '../gltf/read-glb-file.ts'
 import { type WrinkledFile, wrinkledFile } from './wrinkled-file.ts'
 
 /**
- * Reads a file and the wrinkles of one of its materials; see `readGlbFile` and `wrinkledFile`.
+ * Reads a glTF file and the wrinkles of one of its materials.
  *
- * @param options.material name of the material. Default: the only one with wrinkles.
- * @throws FurrowError if either fails.
+ * @param options.material name of the material. Default: the only material with wrinkles.
+ * @throws FurrowError like `readGlbFile` and `wrinkledFile`.
  */
 export async function readWrinkledFile(
   path: string,

@@ -5,10 +5,10 @@ import { pixelsOf } from '../gltf/texture-pixels.ts'
 import { channelOf, type Pixels } from '../images/pixels.ts'
 import type { MapName } from './map-slots.ts'
 
-/** Channels of maps that share an image. glTF uses 1 for roughness. */
-const CHANNELS: Partial<Record<MapName, number>> = { occlusion: 0, blood: 2 }
+/** Channels of occlusion, blood and onset in an image that they share. */
+const CHANNELS: Partial<Record<MapName, number>> = { occlusion: 0, blood: 2, onset: 1 }
 
-/** Combines up to three maps of one size as red, green and blue. Missing maps are white. */
+/** Combines up to three maps of equal size as red, green and blue. A missing map is white. */
 export function joinChannels(
   maps: readonly (GrayImage | undefined)[],
   width: number,
@@ -22,9 +22,9 @@ export function joinChannels(
 }
 
 /**
- * Extracts a map that shares its image with blood.
+ * Extracts occlusion, blood or onset from the image that they share.
  *
- * @returns undefined if the map has its own image.
+ * @returns undefined if the map has an image to itself.
  */
 export async function partOfImage(
   glb: Glb,
@@ -33,8 +33,9 @@ export async function partOfImage(
   who: string,
 ): Promise<GrayImage | undefined> {
   const channel = CHANNELS[map]
-  const { bloodTexture } = layer
-  const isPresent = map === 'blood' || layer.occlusionTexture !== undefined
-  if (channel === undefined || !bloodTexture || !isPresent) return undefined
-  return channelOf(await pixelsOf(glb, bloodTexture, who), channel)
+  const { occlusionTexture, bloodTexture, onsetTexture } = layer
+  const own = { occlusion: occlusionTexture, blood: bloodTexture, onset: onsetTexture }[map as 'occlusion']
+  const isShared = bloodTexture !== undefined || onsetTexture !== undefined
+  if (channel === undefined || !own || !isShared) return undefined
+  return channelOf(await pixelsOf(glb, own, who), channel)
 }

@@ -1,17 +1,17 @@
-/** Bytes of one texture on the GPU. */
+/** GPU memory of a texture in three encodings, bytes. */
 export interface GpuSizes {
-  /** 4 bytes per texel of a layer's map, 1 byte per texel of an area's weights. */
+  /** Without compression: 4 bytes per texel of a map, 1 byte per texel of an area. */
   uncompressed: number
-  /** 8 bits per texel in blocks of 4 x 4: BC7, ASTC 4x4; 4 bits for an area (BC4). */
+  /** BC7 or ASTC 4x4: 8 bits per texel of a map. BC4: 4 bits per texel of an area. */
   bits8: number
-  /** 4 bits per texel in blocks of 4 x 4: BC1, ETC1; BC4 for an area. */
+  /** BC1 or ETC1: 4 bits per texel of a map. BC4: 4 bits per texel of an area. */
   bits4: number
 }
 
-/** Sizes of data that is never uploaded. */
+/** Sizes of a map that is not uploaded. */
 export const NO_SIZES: GpuSizes = { uncompressed: 0, bits8: 0, bits4: 0 }
 
-/** Sizes of a map: four channels, with mipmaps. */
+/** Returns the sizes of a map: four channels, with mipmaps. */
 export function mapSizes(width: number, height: number): GpuSizes {
   return {
     uncompressed: sumLevels(width, height, (w, h) => 4 * w * h),
@@ -20,22 +20,30 @@ export function mapSizes(width: number, height: number): GpuSizes {
   }
 }
 
-/** Sizes of an area: one channel, without mipmaps, which would bleed across UV islands. */
+/** Returns the sizes of an area: one channel, without mipmaps, which would bleed across UV islands. */
 export function areaSizes(width: number, height: number): GpuSizes {
   const compressed = 8 * blocks(width, height)
   return { uncompressed: width * height, bits8: compressed, bits4: compressed }
 }
 
-/** Sizes of a slice of up to four areas, one per channel, without mipmaps: 8 bits per texel. */
+/**
+ * Returns the sizes of a slice with up to four areas, one per channel. Compressed slices have 8 bits per texel. There
+ * are no mipmaps.
+ */
 export function areaSliceSizes(width: number, height: number): GpuSizes {
   const compressed = 16 * blocks(width, height)
   return { uncompressed: 4 * width * height, bits8: compressed, bits4: compressed }
 }
 
-/** Bytes per texel of an influence map, indexed by number of layers minus 1: one float, two floats, or four half floats. */
+/** Bytes per texel of an influence map for 1 to 4 layers: one float, two floats, or four half floats. */
 const INFLUENCE_TEXEL = [4, 8, 8, 8]
 
-/** Bytes of a face's influence map, which has the size of an area and one channel per layer. */
+/**
+ * Returns the bytes of a face's influence map (per layer, the sum of areas times activations).
+ *
+ * @param width width of the areas, texels.
+ * @param height height of the areas, texels.
+ */
 export function influenceMapBytes(width: number, height: number, layers: number): number {
   return INFLUENCE_TEXEL[layers - 1] * width * height
 }

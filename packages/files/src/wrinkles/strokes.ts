@@ -7,19 +7,23 @@ import { checkFileBytes } from '../base/file-size.ts'
 import { parseJson } from '../base/json-file.ts'
 import type { WrinkledFile } from './wrinkled-file.ts'
 
-/** Maximum bytes of a set's strokes. Indented in a `.gltf` they can take ten times as many, which must stay below `MAX_JSON_BYTES`. */
+/**
+ * Maximum size of the strokes of a wrinkle set, bytes. Indentation in a `.gltf` can make their JSON ten times as large.
+ * The indented JSON must stay below `MAX_JSON_BYTES`.
+ */
 const MAX_STROKES_BYTES = 2 ** 22
 
-/** Checked strokes document as stored, with the artist's original numbers and without defaults. */
+/** Strokes document that has been checked. Numbers are as the artist wrote them, and defaults are not filled in. */
 export interface StoredStrokes {
+  seed?: number
   strokes: readonly object[]
 }
 
 /**
- * Reads the strokes of a wrinkle set.
+ * Reads the strokes (wrinkle lines) of a wrinkle set.
  *
  * @param layers names of the set's layers.
- * @throws FurrowError if the strokes are malformed, too large, or on a layer that does not exist.
+ * @throws FurrowError if the strokes are malformed or too large, or a stroke names a layer that does not exist.
  */
 export function readStrokes(
   bytes: Uint8Array,
@@ -32,7 +36,6 @@ export function readStrokes(
   return checkedStrokes(json, layers, `${who}: ${path}`)
 }
 
-/** Checks strokes in memory; the rules are those of `readStrokes`. */
 export function checkStrokes(
   strokes: StrokesDocument,
   layers: readonly string[],
@@ -42,7 +45,10 @@ export function checkStrokes(
   return checkedStrokes(strokes, layers, who)
 }
 
-/** Returns the strokes in a file. Malformed strokes are reported in `problem`, because renderers do not need them. */
+/**
+ * Returns the strokes of a material. Describes malformed strokes in `problem` and does not throw, because renderers do
+ * not need strokes.
+ */
 export function strokesIn(
   { glb, material, maps }: WrinkledFile,
   who: string,
@@ -58,12 +64,12 @@ export function strokesIn(
   }
 }
 
-/** Returns the bytes that strokes take in a file. */
+/** Returns the bytes that strokes take as JSON. */
 export function strokesBytes(strokes: object | undefined): number {
   return strokes === undefined ? 0 : utf8(JSON.stringify(strokes)).length
 }
 
-/** Returns the names of layers with strokes or furrows. */
+/** Returns the names of layers that have strokes or furrows. */
 export function layersOf({ strokes, furrows }: StrokesDocument): string[] {
   return [...new Set([...strokes, furrows].flatMap((drawn) => drawn?.layer ?? []))]
 }

@@ -5,7 +5,8 @@ import { imageOf, isKtx2, ktx2HeaderOf } from '../gltf/texture-image.ts'
 import { arrayOf, pixelsOf } from '../gltf/texture-pixels.ts'
 
 /**
- * Decodes all textures that a loader would decode, because a header does not show whether the image is damaged.
+ * Decodes all textures that a loader would decode, and returns their shapes. Headers would not suffice, because they do
+ * not show damage.
  *
  * @throws FurrowError for the first texture that cannot be decoded.
  */

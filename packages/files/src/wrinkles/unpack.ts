@@ -20,17 +20,18 @@ import type { WrinkledFile } from './wrinkled-file.ts'
 
 type LayerEntry = WrinkleSetDocument['layers'][number]
 
-/** Files to write, with paths relative to the folder, and warnings for the user. */
+/** Files of an unpacked wrinkle set, with paths relative to its folder. */
 export interface UnpackedWrinkles {
   files: OutputFile[]
   warnings: string[]
 }
 
 /**
- * Converts the wrinkles of a file to a folder: `wrinkles.json`, `layers/NAME/*.png`, `areas/NAME.png` and `strokes.json`. Names that
- * are invalid as file names are changed in paths only; `wrinkles.json` keeps the original names.
+ * Converts the wrinkles of a material to the files of a folder: `wrinkles.json`, `layers/NAME/*.png`, `areas/NAME.png`
+ * and `strokes.json`. If a name is not valid as a file name, only the path changes, and `wrinkles.json` keeps the name.
  *
- * @param whiteIsVisible convention of the written areas: true for white = visible, false for the paper's black = visible.
+ * @param whiteIsVisible how areas are written: true for white = visible, false for black = visible (as in the paper of
+ *   Reis, De Martino and Batagelo).
  * @throws FurrowError if an image cannot be decoded.
  */
 export async function unpackWrinkles(
@@ -62,6 +63,9 @@ export async function unpackWrinkles(
       entry.occlusionStrength = layer.occlusionTexture.strength
     }
     if (layer.bloodTexture) entry.bloodAmplitude = layer.bloodTexture.amplitude
+    if (layer.onsetTexture && layer.onsetTexture.strength !== 1) {
+      entry.onsetStrength = layer.onsetTexture.strength
+    }
     if (layer.heightTexture) entry.heightAmplitude = layer.heightTexture.amplitude
     layers.push(entry as LayerEntry)
     progress(i + 1, total)
@@ -103,7 +107,7 @@ export async function unpackWrinkles(
   return { files: [{ path: WRINKLES_FILE, bytes: utf8(text) }, ...outputs], warnings }
 }
 
-/** Returns a map as a PNG file. A PNG image is checked by decoding, and its bytes are returned unchanged. */
+/** Returns a map as a PNG file. If its image is already PNG, checks that it decodes and returns its bytes unchanged. */
 async function pngOf({ glb }: WrinkledFile, info: TextureReference, who: string): Promise<Uint8Array> {
   const image = imageOf(glb, info.index, who)
   if (image.mimeType === 'image/png') {
@@ -116,7 +120,7 @@ async function pngOf({ glb }: WrinkledFile, info: TextureReference, who: string)
   return encodeMap(isOpaque(pixels) ? withoutAlpha(pixels) : pixels)
 }
 
-/** Encodes an area as an 8-bit gray PNG file. In the paper's convention white = no wrinkles. */
+/** Encodes an area as 8-bit gray PNG. */
 function encodeWeights(area: GrayImage, whiteIsVisible: boolean): Promise<Uint8Array> {
   return encodeMap(whiteIsVisible ? { ...area, channels: 1 } : paintedArea(area))
 }

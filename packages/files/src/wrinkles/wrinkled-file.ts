@@ -2,7 +2,7 @@ import { FurrowError } from 'furrow'
 import { didYouMean, parseWrinkleMaps, WRINKLE_MAPS, type WrinkleMaps } from 'furrow/internal'
 import type { Glb } from '../gltf/glb.ts'
 
-/** A file with the wrinkles of one material. */
+/** A glTF file, and the wrinkles of one of its materials. */
 export interface WrinkledFile {
   glb: Glb
   /** Index of the material. */
@@ -18,11 +18,12 @@ export function wrinkledMaterials({ json }: Glb): number[] {
 }
 
 /**
- * Finds the wrinkles of a file.
+ * Finds the material with wrinkles, and parses its wrinkles.
  *
- * @param path of the file, for errors.
- * @param materialName name of the material. Default: the only one with wrinkles.
- * @throws FurrowError if no material has wrinkles, several have and none is named, or the wrinkles are malformed.
+ * @param path path of the file, for errors.
+ * @param materialName name of the material. Default: the only material with wrinkles.
+ * @throws FurrowError if no material has wrinkles, if several have wrinkles and `materialName` is missing, or if the
+ *   wrinkles are malformed.
  */
 export function wrinkledFile(glb: Glb, path: string, who: string, materialName?: string): WrinkledFile {
   const materials = glb.json.materials ?? []
@@ -48,7 +49,11 @@ export function wrinkledFile(glb: Glb, path: string, who: string, materialName?:
   return parseWrinkledFile(glb, found[0], `${who}: ${path}`)
 }
 
-/** Parses the wrinkles of a material, given by index. */
+/**
+ * Parses the wrinkles of a material.
+ *
+ * @param material index of the material.
+ */
 export function parseWrinkledFile(glb: Glb, material: number, who: string): WrinkledFile {
   const json = glb.json.materials![material].extensions![WRINKLE_MAPS]
   return { glb, material, maps: parseWrinkleMaps(json, glb.json.textures?.length ?? 0, who) }

@@ -1,4 +1,4 @@
-/** Rectangle in an image, pixels. */
+/** Rectangle in an image, pixels from the top left. */
 export interface Rect {
   left: number
   top: number
@@ -6,16 +6,16 @@ export interface Rect {
   height: number
 }
 
-/** Minimum difference of a channel that counts as a change, 0..255. */
+/** Minimum difference of a colour channel that counts as a change, 0..255. */
 const THRESHOLD = 24
-/** Margin on each side, as a fraction of the longer side. */
+/** Width of the margin, as a fraction of the rectangle's longer side. */
 const MARGIN = 0.15
 
 /**
- * Returns the rectangle in which images of one size differ, with a margin. For a head in several poses, this is the
- * face. Returns the full image if there are no differences.
+ * Returns the rectangle that contains all pixels that change between images, plus a margin. For pictures of a head in
+ * several poses, this is the face. Returns the full image if no pixel changes.
  *
- * @param pictures RGBA bytes, 0..255.
+ * @param pictures RGBA bytes of images of equal size, 0..255.
  */
 export function changedRect(pictures: readonly Uint8Array[], width: number, height: number): Rect {
   const first = pictures[0]

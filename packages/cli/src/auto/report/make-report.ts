@@ -8,18 +8,17 @@ import { drawAreas, drawFaces, drawLayers, drawStrain } from './pictures.ts'
 import { type Pose, posesOf } from './poses.ts'
 import type { ReportSource } from './report-source.ts'
 
-/** Files of a report. */
 export interface ReportFiles {
   files: OutputFile[]
-  /** Reason why the face was not drawn; absent if it was. */
+  /** Reason why the report has no pictures of the face. Absent if it has them. */
   missing?: string
 }
 
 /**
- * Creates the report of `furrow auto`: a page and its images. Writes no files.
+ * Creates the HTML report of `furrow auto` and its images in memory.
  *
- * @param folder folder for the paths of the files.
- * @param steps begins the steps `report` and `pictures`.
+ * @param folder folder of the report, for the paths of the files.
+ * @param steps progress. The function begins the steps `report` and `pictures`.
  */
 export async function makeReport(
   source: ReportSource,
@@ -55,7 +54,7 @@ export async function makeReport(
   }
 }
 
-/** Draws a face from memory; see `drawFaces`. */
+/** Draws a face. Writes it to a temporary file first, because `drawFaces` reads a file. */
 async function drawFile(glb: Glb, poses: readonly Pose[], progress: Progress) {
   const folder = temporaryFolder()
   try {

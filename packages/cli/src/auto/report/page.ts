@@ -8,26 +8,26 @@ import type { ReportSource } from './report-source.ts'
 import { COLOUR_SCALE, MAX_COMPRESSION } from './strain-colours.ts'
 import { STYLE } from './style.ts'
 
-/** Content of the page. Images are in the order of the poses, areas and layers. */
+/** Content of the report page. `strain` and `faces` are in the order of `poses`. */
 export interface PageSource extends Omit<ReportSource, 'path' | 'glb'> {
   title: string
   poses: readonly Pose[]
   strain: readonly ReportImage[]
   areas: readonly ReportImage[]
   layers: readonly (readonly ReportImage[])[]
-  /** Images of each pose, or the reason why the face was not drawn. */
+  /** Two images per pose, or the reason why the face could not be drawn. */
   faces: readonly BeforeAndAfter[] | string
   times: readonly { step: string; seconds: number }[]
 }
 
-/** Returns the HTML of a report. Its images are in the same folder. */
+/** Returns the HTML of the report of `furrow auto`. Its images are in the same folder. */
 export function reportPage(source: PageSource): string {
   const { title, wrinkles, poses } = source
   const { layers, areas, targets, landmarks } = wrinkles
   const body = html`<header>
 <h1>${title}</h1>
 <p>${count(areas.length, 'area')} on ${count(layers.length, 'layer')}, generated from ${count(targets.length, 'blendshape')} by
-<b>furrow auto</b>. ${landmarks ? 'A face was recognised.' : 'No face was recognised, so the lines follow strain only.'}</p>
+<b>furrow auto</b>. ${landmarks ? 'A face was recognised.' : 'No face was recognised, so the lines follow only the compression of the skin.'}</p>
 ${warnings(source.warnings)}
 </header>
 <main>
@@ -143,13 +143,12 @@ function layerTiles(name: string, images: readonly ReportImage[]): Content {
   ]
 }
 
-/** Returns a blendshape and its weight, coloured by sign. */
+/** Returns the name and weight of a blendshape. Their colour depends on the sign of the weight. */
 function chip(target: string, weight: number): Markup {
   const sign = weight < 0 ? 'less' : 'more'
   return html`<span class="chip ${sign}">${target} <b>${signed(Number(weight.toFixed(2)))}</b></span>`
 }
 
-/** Returns an image that links to its file. */
 function image({ file, width, height }: ReportImage, alt: string): Markup {
   return html`<a href="${file}"><img src="${file}" width="${width}" height="${height}" alt="${alt}"></a>`
 }
@@ -170,7 +169,7 @@ function landmarkFacts(landmarks: Landmarks): Markup {
   return facts('Landmarks (mm left, up, forwards)', rows)
 }
 
-/** Formats a number with a minus sign instead of a hyphen, and -0 as 0. */
+/** Formats a number with a minus sign instead of a hyphen, and formats -0 as 0. */
 function signed(value: number): string {
   return String(value === 0 ? 0 : value).replace('-', '−')
 }

@@ -9,28 +9,26 @@ import { changedRect, type Rect } from './changed-rect.ts'
 import type { Pose } from './poses.ts'
 import { colourStrain } from './strain-colours.ts'
 
-/** Image of the report. */
 export interface ReportImage {
-  /** File name in the report's folder. */
+  /** File name in the folder of the report. */
   file: string
   width: number
   height: number
   bytes: Uint8Array
 }
 
-// Image sizes, pixels.
+// Sizes of images, pixels.
 const FACE = { width: 660, height: 880 }
 const STRAIN_SIDE = 512
 const AREA_SIDE = 256
 const MAX_MAP_SIDE = 1024
 
-/** Images of a pose without and with wrinkles. */
 export type BeforeAndAfter = readonly [before: ReportImage, after: ReportImage]
 
 /**
  * Draws a face in each pose, without and with wrinkles.
  *
- * @returns images, or the reason why the face cannot be drawn, e.g. no browser.
+ * @returns two images per pose, or the reason why the face could not be drawn, e.g. because no browser was found.
  */
 export async function drawFaces(
   path: string,
@@ -61,7 +59,7 @@ export async function drawFaces(
   return poses.map((_, i) => [images[2 * i], images[2 * i + 1]] as const)
 }
 
-/** Draws the compression of the skin in each pose, in UV space. */
+/** Draws the compression of the skin in UV space, one image per pose. */
 export function drawStrain(skin: Skin, poses: readonly Pose[]): Promise<ReportImage[]> {
   const maps = strainMaps(
     skin,
@@ -71,7 +69,7 @@ export function drawStrain(skin: Skin, poses: readonly Pose[]): Promise<ReportIm
   return Promise.all(maps.map((map, i) => encode(`strain-${i + 1}`, colourStrain(map), STRAIN_SIDE)))
 }
 
-/** Draws each area over the base colour of the skin, or over gray if the file has none. */
+/** Draws each area over the base colour of the skin, or over gray if the base colour cannot be read. */
 export async function drawAreas(file: WrinkledFile, who: string): Promise<ReportImage[]> {
   const skin = await skinOf(file, who, AREA_SIDE).catch(() =>
     new Uint8Array(3 * AREA_SIDE * AREA_SIDE).fill(120),
@@ -84,7 +82,7 @@ export async function drawAreas(file: WrinkledFile, who: string): Promise<Report
   )
 }
 
-/** Draws the normal map and heights of each layer. */
+/** Draws the normal map and the height map of each layer. */
 export function drawLayers({ glb, maps }: WrinkledFile, who: string): Promise<ReportImage[][]> {
   return Promise.all(
     maps.layers.map((layer, i) => {

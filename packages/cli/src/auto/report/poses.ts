@@ -1,14 +1,16 @@
 import { findTargets } from 'furrow'
 import type { AutoWrinkles } from 'furrow/author'
 
-/** Pose in the report. */
 export interface Pose {
   name: string
-  /** Blendshape weights by name in the face, 0..1. */
+  /** Weight per blendshape, 0..1. */
   targets: Record<string, number>
 }
 
-/** Common expressions. Blendshapes of weight 1 are required; the others are optional. */
+/**
+ * Common expressions, with weights of ARKit blendshapes. A face supports an expression if it has all blendshapes that
+ * have the weight 1 in the expression.
+ */
 const EXPRESSIONS: readonly Pose[] = [
   {
     name: 'Surprise',
@@ -42,10 +44,12 @@ const EXPRESSIONS: readonly Pose[] = [
   { name: 'Right side of the smile alone', targets: { mouthSmileRight: 1, cheekSquintRight: 0.8 } },
 ]
 
-/** Maximum number of poses for a skin without any of these expressions. */
+/** Maximum number of poses for a face that supports none of the expressions. */
 const MAX_POSES = 8
 
-/** Returns the expressions that a face supports, or else the blendshapes with the strongest compression. */
+/**
+ * Returns the expressions that a face supports. If there are none, returns the blendshapes that compress the skin most.
+ */
 export function posesOf({ targets, areas }: Pick<AutoWrinkles, 'targets' | 'areas'>): Pose[] {
   const expressions = EXPRESSIONS.flatMap(({ name, targets: wanted }): Pose[] => {
     const found = Object.entries(wanted).map(([shape, weight]) => {

@@ -1,14 +1,13 @@
 import type { AutoWrinkles } from 'furrow/author'
 import type { FoundSkin, Glb } from 'furrow-files'
 
-/** Input of a report. */
 export interface ReportSource {
-  /** Path of the file with wrinkles, which may not exist yet. */
+  /** Path of the output file, which may not be written yet. */
   path: string
   glb: Glb
   found: FoundSkin
   wrinkles: AutoWrinkles
-  /** Values by option name, as on the command line. */
+  /** Value per option of `furrow auto`, by the option's name. */
   settings: Readonly<Record<string, string | number>>
   warnings: readonly string[]
 }

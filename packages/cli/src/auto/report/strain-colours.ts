@@ -1,9 +1,14 @@
 import type { StrainMap } from 'furrow/internal'
 
-/** Compression of the last colour; higher values are clamped. */
+/**
+ * Lowest compression that gets the last colour of the scale, as a fraction of the length at rest.
+ */
 export const MAX_COMPRESSION = 0.2
 
-/** Five equidistant sRGB colours of matplotlib's perceptually uniform "inferno" (CC0), from 0 to `MAX_COMPRESSION`. */
+/**
+ * Five equidistant sRGB colours of the perceptually uniform colour map "inferno" (matplotlib, CC0). The first colour
+ * stands for compression 0, and the last colour for `MAX_COMPRESSION`.
+ */
 export const COLOUR_SCALE = [
   [0, 0, 4],
   [87, 16, 110],
@@ -12,7 +17,7 @@ export const COLOUR_SCALE = [
   [252, 255, 164],
 ] as const
 
-/** Converts a compression map to RGBA bytes, transparent where there is no skin (NaN). */
+/** Converts a map of skin compression to RGBA bytes. Texels without skin (NaN) become transparent. */
 export function colourStrain({ data }: StrainMap): Uint8Array {
   const pixels = new Uint8Array(4 * data.length)
   for (const [i, compression] of data.entries()) {

@@ -1,6 +1,6 @@
 import { Markup } from '../../markup.ts'
 
-/** Style sheet of the report, with the system's colour scheme and one column on phones. */
+/** Style sheet of the report of `furrow auto`. Follows the system's colour scheme. Phones show one column. */
 export const STYLE = new Markup(`
 :root {
   --paper: #ffffff; --card: #f4f4f2; --ink: #1d1e20; --soft: #5c5f66; --line: #dcdcd8;

@@ -25,10 +25,10 @@ import { countsText } from '../summary.ts'
 
 const WHO = 'furrow batch'
 
-/** Default maximum number of thumbnails. Without a GPU, each takes a second or two. */
+/** Default maximum number of thumbnails. Without a GPU, a thumbnail takes one or two seconds. */
 const DEFAULT_THUMBNAILS = 200
 
-/** Folder of the results if the outputs are remote or missing. */
+/** Folder of the results if there is no output folder, or if it is remote. */
 const DEFAULT_RESULTS = 'furrow-batch'
 
 interface Options extends LimitOptions {
@@ -42,12 +42,15 @@ interface Options extends LimitOptions {
   json?: boolean
 }
 
-/** Options of the batch itself, not of the command it runs. */
+/** Options of `furrow batch`. All other options are passed to the command that it runs. */
 const OWN_OPTIONS: readonly Option[] = [
   new Option('-o, --output <folder>', 'folder of the outputs, local or s3://'),
   new Option('--command <name>', 'command to run').choices(JOB_COMMAND_NAMES).default('auto'),
   new Option('--manifest <file>', 'read the inputs from a manifest (.jsonl)'),
-  new Option('--results <folder>', `folder of the report (default: -o, or ${DEFAULT_RESULTS})`),
+  new Option(
+    '--results <folder>',
+    `folder of results and report (default: a local output folder, or ${DEFAULT_RESULTS})`,
+  ),
   new Option('--shard <i/n>', 'process only part i of n, e.g. 3/8').argParser(parseShard),
   new Option('--redis <url>', 'send the jobs to workers; see furrow worker').conflicts([
     'jobs',
@@ -61,7 +64,6 @@ const OWN_OPTIONS: readonly Option[] = [
   new Option('--json', 'print the counts as JSON'),
 ]
 
-/** `furrow batch`: runs a command on many files. */
 export const batchCommand = addOwnOptions(createCommand('batch'))
   .description('run a command on many files in parallel')
   .argument('[inputs...]', 'files, quoted patterns, http(s) or s3 URLs')
@@ -69,11 +71,13 @@ export const batchCommand = addOwnOptions(createCommand('batch'))
   .addHelpText(
     'after',
     `
-Other options, e.g. --age, are passed to the command. An interrupted batch
-resumes when run again. Failures are collected in results.jsonl, and the exit
-code is 1. Inputs of pack are folders. An s3:// URL that ends in / includes
-everything below it. Each line of a manifest is a JSON object with input and
-optional output and options.
+Other options, e.g. --age, are passed to the command that runs on each input.
+If a batch was interrupted, run it again to resume it. results.jsonl contains
+one line per input. The exit code is 1 if an input failed.
+
+The inputs of --command pack are folders. An s3:// URL that ends in / means all
+files below it. Each line of a manifest is a JSON object with the field input,
+and optionally output and options.
 
 Examples:
   $ furrow batch 'avatars/**/*.glb' -o wrinkled --age 40
@@ -114,7 +118,7 @@ async function batch(
     page: join(results, `report${part}.html`),
     thumbnails,
   }
-  // The manifest may be in the results folder.
+  // The results must not overwrite the manifest, which may be in the same folder.
   checkReplaced([todo.results, todo.page], WHO)
   const counts =
     redis === undefined ? await runHere(todo, options) : await runBatch(todo, redisEngine(redis, version))
@@ -123,7 +127,7 @@ async function batch(
   print(json ? JSON.stringify({ ...counts, ...files }) : [countsText(counts), todo.results, todo.page])
 }
 
-/** Runs the batch on this machine, in child processes that end with this one. */
+/** Runs the batch on this machine, in child processes. They end when this process ends. */
 async function runHere(todo: Batch, options: Options) {
   const { concurrency, limits } = limitsOf(options)
   const pool = new ProcessPool(limits)
@@ -139,7 +143,7 @@ async function runHere(todo: Batch, options: Options) {
 }
 
 /**
- * Parses the arguments that are not options of the batch: inputs, and options of the command.
+ * Parses the arguments that are not options of `furrow batch`: inputs, and options of the command.
  *
  * @param words arguments in their original order.
  */
@@ -147,7 +151,8 @@ function parsePassed(
   name: JobCommandName,
   words: readonly string[],
 ): { inputs: string[]; passed: JobOptions } {
-  // The batch's own options are added for "did you mean" suggestions.
+  // Includes the options of `furrow batch`, although they are already parsed. So the parser can suggest one of them for a
+  // misspelt option.
   const parser = addOwnOptions(createCommand('batch')).argument('[inputs...]')
   const options = passedOptions(name)
   for (const option of options) parser.addOption(option)
@@ -155,7 +160,9 @@ function parsePassed(
   return { inputs: parser.args, passed: givenOptions(parser, options) }
 }
 
-/** Returns the entry with its output: from the manifest, or the input's name below the output folder. */
+/**
+ * Returns an input with its output path: the path from the manifest, or the name of the input inside the output folder.
+ */
 function entryOf({ name, output, ...entry }: Listed, writes: boolean, folder: string | undefined): Entry {
   if (!writes) return entry
   if (output !== undefined) {
@@ -164,7 +171,7 @@ function entryOf({ name, output, ...entry }: Listed, writes: boolean, folder: st
   }
   if (folder === undefined) throw invalidOutput(entry.input, 'no output')
   const parts = (name ?? nameOf(entry.input)).split(/[\\/]/)
-  // S3 keys may contain `..`.
+  // Unlike paths, S3 keys may contain `..`.
   if (parts.includes('..')) throw invalidOutput(entry.input, 'the output would be outside the folder')
   const last = parts.pop()!
   const file = /\.(glb|vrm)$/i.test(last) ? last : `${last.replace(/\.gltf$/i, '')}.glb`
@@ -172,7 +179,7 @@ function entryOf({ name, output, ...entry }: Listed, writes: boolean, folder: st
   return { ...entry, output: isRemote(folder) ? `${folder.replace(/\/$/, '')}/${path}` : join(folder, path) }
 }
 
-/** An input from the command line or a manifest. */
+/** Input from the command line or a manifest. `name` is the path of its output, relative to the output folder. */
 interface Listed extends Entry {
   name?: string
 }
@@ -191,7 +198,7 @@ function inputsError(count: number): FurrowError {
   })
 }
 
-/** Makes local paths absolute, because workers may run in other folders. */
+/** Makes local paths absolute, because a worker may run in another folder. */
 function withAbsolutePaths({ input, output, options, ...rest }: Entry, command: JobCommandName): Entry {
   const absolute = (address: string) => (isRemote(address) ? address : resolve(address))
   const files: readonly string[] = JOB_COMMANDS[command].files

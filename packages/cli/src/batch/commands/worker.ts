@@ -12,8 +12,9 @@ import { openScratch } from '../scratch.ts'
 const WHO = 'furrow worker'
 
 /**
- * Maximum number of restarts of a job whose worker disappeared. High, because the limits of a job end it long before
- * it could crash a worker: lost workers mean that machines come and go.
+ * Maximum number of restarts of a job whose worker disappeared. The number is high: a worker usually disappears because
+ * its machine is switched off, and not because of its job. Limits of memory and time end a job before it could crash a
+ * worker.
  */
 const MAX_STALLS = 20
 
@@ -21,16 +22,15 @@ interface Options extends LimitOptions {
   redis: string
 }
 
-/** `furrow worker`: runs the jobs of `furrow batch --redis`. */
 export const workerCommand = createCommand('worker')
-  .description('run jobs of furrow batch --redis')
+  .description('run the jobs that furrow batch --redis queues')
   .requiredOption('--redis <url>', 'Redis server, e.g. redis://host:6379/0')
   .addHelpText(
     'after',
     `
-Local paths must be on a disk that all machines mount at the same place. Ctrl-C
+Local paths must be on a disk that all machines mount at the same path. Ctrl-C
 or SIGTERM stops the worker after its running jobs. A second signal stops it at
-once, and other workers restart these jobs.
+once, and other workers restart its jobs.
 
 Example:
   $ furrow worker --redis redis://10.0.0.5:6379 --jobs 4 --memory 2048`,
@@ -48,7 +48,8 @@ async function work({ redis: url, ...options }: Options): Promise<void> {
     pool.close()
     scratch.remove()
   })
-  // Jobs run in child processes, so that this one can always renew their locks.
+  // BullMQ renews the lock of a running job on this process's event loop. Jobs run in child processes, so that they do
+  // not block the loop.
   const worker = new Worker<unknown, Outcome>(
     queueName(version),
     ({ data }) => runQueuedJob(data, { pool, limits, scratch: scratch.path }),
@@ -71,7 +72,7 @@ async function work({ redis: url, ...options }: Options): Promise<void> {
   process.exit()
 }
 
-/** Runs a job from the queue. Validates the data, because anything may write to Redis. */
+/** Runs a job from the queue. Validates the job, because other programs can write to Redis. */
 async function runQueuedJob(data: unknown, environment: JobEnvironment): Promise<Outcome> {
   let job: Job
   try {
@@ -82,7 +83,7 @@ async function runQueuedJob(data: unknown, environment: JobEnvironment): Promise
   return runJob(job, environment)
 }
 
-/** Waits for the first SIGINT or SIGTERM. The second one ends the process. */
+/** Waits for the first SIGINT or SIGTERM. A second signal ends the process. */
 function firstSignal(): Promise<void> {
   const signals = ['SIGINT', 'SIGTERM'] as const
   return new Promise((resolve) => {

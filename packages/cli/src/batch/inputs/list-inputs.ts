@@ -7,14 +7,14 @@ import { isRemote } from '../stores/store-of.ts'
 
 const WHO = 'furrow batch'
 
-/** An input, and the path of its output below the output folder. */
+/** Input of a batch. `name` is the path of its output, relative to the output folder. */
 export interface NamedInput {
   input: string
   name: string
   identity?: string
 }
 
-/** Lists the inputs of patterns, paths and URLs, sorted. Throws if one has no inputs. */
+/** Finds the inputs of a batch from patterns, paths and URLs. Sorts them. Throws if a pattern has no match. */
 export async function listInputs(
   patterns: readonly string[],
   reads: 'file' | 'folder',
@@ -44,7 +44,7 @@ async function listOne(pattern: string, reads: 'file' | 'folder'): Promise<Named
   const parts = pattern.split(sep).join('/').split('/')
   const first = parts.findIndex((part) => isDynamicPattern(part))
   if (first < 0) throw noInput(pattern, 'it does not exist')
-  // Deepest folder that contains all matches.
+  // Longest leading part of the pattern without wildcards. Names are relative to this folder.
   const base = parts.slice(0, first).join('/') || (pattern.startsWith('/') ? '/' : '.')
   const names = await glob(parts.slice(first).join('/'), {
     cwd: base,
@@ -58,7 +58,7 @@ async function listOne(pattern: string, reads: 'file' | 'folder'): Promise<Named
   })
 }
 
-/** Returns the last part of an input's path. Throws if a URL is invalid. */
+/** Returns the file name in a path or URL. Throws if a URL is invalid. */
 export function nameOf(input: string): string {
   if (!isRemote(input)) return basename(resolve(input))
   if (!URL.canParse(input)) throw noInput(input, 'invalid URL')

@@ -6,7 +6,6 @@ import { type JobOptions, manifestWords, parseJobOptions } from '../jobs/job-opt
 
 const WHO = 'furrow batch'
 
-/** Line of a manifest. */
 export interface ManifestLine {
   input: string
   output?: string
@@ -16,9 +15,10 @@ export interface ManifestLine {
 const FIELDS = ['input', 'output', 'options']
 
 /**
- * Reads a manifest, one JSON object per line: `{"input": "a.glb", "output": "out/a.glb", "options": {"age": 40}}`.
+ * Reads a manifest. Each line is a JSON object, e.g. `{"input": "a.glb", "output": "out/a.glb", "options": {"age":
+ * 40}}`.
  *
- * @param shared default options, overridden by the options of a line.
+ * @param shared options for all lines. Options of a line override them.
  * @throws FurrowError with the number of the first invalid line.
  */
 export async function readManifest(

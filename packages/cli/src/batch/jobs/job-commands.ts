@@ -4,34 +4,36 @@ import { inspectCommand } from '../../commands/inspect.ts'
 import { packCommand } from '../../commands/pack.ts'
 import { validateCommand } from '../../commands/validate.ts'
 
-/** Command that a batch can run. */
+/** Command that `furrow batch` can run on each input. */
 export interface JobCommand {
   command: Command
-  /** Kind of the input: a file, or a folder with all its contents. */
+  /** Whether an input is a file, or a folder with all its contents. */
   reads: 'file' | 'folder'
-  /** Whether the command writes a file; otherwise the result is its printed output. */
+  /** Whether the command writes a file. Otherwise its result is the printed output. */
   writes: boolean
-  /** Options whose values are files. The contents of these files are part of the job. */
+  /** Options whose values are paths of files. A job depends on the content of these files. */
   files: readonly string[]
-  /** Reduces the printed JSON to the fields in the results. */
+  /** Returns the fields of the printed JSON that go into the results file. */
   summary: (printed: Record<string, unknown>) => Record<string, unknown>
 }
 
-/** Options that the batch sets itself, or that write more files; by attribute name. */
+/**
+ * Options that users cannot pass through a batch, named as `Option.attributeName()` in commander names them. The batch
+ * sets some of them itself; the others would write additional files.
+ */
 const EXCLUDED_OPTIONS = ['output', 'force', 'json', 'report', 'strokes', 'sheet']
 
 const countOf = (list: unknown) => (Array.isArray(list) ? list.length : list)
 
-/** Replaces layers and areas by their counts; `furrow inspect` shows the rest. */
-const summarizeFace = ({ file, layers, areas, missing, warnings, ...rest }: Record<string, unknown>) => ({
-  ...rest,
-  layers: countOf(layers),
-  areas: countOf(areas),
-})
+/** Replaces the lists of layers and areas with their lengths, to keep the results file small. */
+function summarizeFace(printed: Record<string, unknown>) {
+  const { file, layers, areas, areasWithoutLines = [], missing, warnings, ...rest } = printed
+  return { ...rest, layers: countOf(layers), areas: countOf([areas, areasWithoutLines].flat()) }
+}
 
 const withoutFile = ({ file, ...rest }: Record<string, unknown>) => rest
 
-/** Commands that a batch can run. */
+/** Commands that `furrow batch` can run. */
 export const JOB_COMMANDS = {
   auto: { command: autoCommand, reads: 'file', writes: true, files: [], summary: summarizeFace },
   pack: { command: packCommand, reads: 'folder', writes: true, files: ['face'], summary: summarizeFace },
@@ -47,7 +49,7 @@ export function isJobCommand(name: string): name is JobCommandName {
   return Object.hasOwn(JOB_COMMANDS, name)
 }
 
-/** Returns the options of a command that can be given to the batch. */
+/** Returns the options of a command that users can pass through a batch. */
 export function passedOptions(name: JobCommandName) {
   return JOB_COMMANDS[name].command.options.filter((option) => {
     return !EXCLUDED_OPTIONS.includes(option.attributeName())

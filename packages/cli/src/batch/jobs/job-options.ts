@@ -2,10 +2,9 @@ import { FurrowError } from 'furrow'
 import { createCommand } from '../../command.ts'
 import { type JobCommandName, passedOptions } from './job-commands.ts'
 
-/** Options of a job by their command-line names, without dashes; true for options without a value. */
+/** Options of a command by name, without leading dashes. The value is `true` for an option without a value. */
 export type JobOptions = Readonly<Record<string, true | string | readonly string[]>>
 
-/** Converts options to command-line arguments. */
 export function wordsOf(options: JobOptions): string[] {
   return Object.entries(options).flatMap(([name, value]) => [
     `--${name}`,
@@ -14,7 +13,8 @@ export function wordsOf(options: JobOptions): string[] {
 }
 
 /**
- * Validates the options of a job like its command, and normalises their order and form.
+ * Parses and validates the options of a job. Normalises their order and form, so that the same options always have the
+ * same JSON.
  *
  * @param words command-line arguments.
  * @returns the given options, without defaults.
@@ -29,7 +29,11 @@ export function parseJobOptions(command: JobCommandName, words: readonly string[
 
 type Parser = ReturnType<typeof createCommand>
 
-/** Returns the options given to a parsed command, without defaults; `only` limits the options. */
+/**
+ * Returns the options that a user gave to a parsed command, without defaults.
+ *
+ * @param only limits the result to these options. Default: all options of the command.
+ */
 export function givenOptions(parser: Parser, only = parser.options): JobOptions {
   const given = only.filter((option) => parser.getOptionValueSource(option.attributeName()) === 'cli')
   const pairs = given.map((option) => {
@@ -40,7 +44,10 @@ export function givenOptions(parser: Parser, only = parser.options): JobOptions 
   return Object.fromEntries(pairs.sort(([a], [b]) => (a < b ? -1 : 1)))
 }
 
-/** Converts the options in a manifest line to command-line arguments. Values: text, number, boolean, or a list of text. */
+/**
+ * Converts the options in a line of a manifest to command-line arguments. A value is text, a number, a boolean, or a
+ * list of text and numbers.
+ */
 export function manifestWords(options: unknown, where: string): string[] {
   const isObject = typeof options === 'object' && options !== null && !Array.isArray(options)
   const entries = isObject ? Object.entries(options) : []

@@ -2,47 +2,47 @@ import { createHash } from 'node:crypto'
 import type { JobCommandName } from './job-commands.ts'
 import type { JobOptions } from './job-options.ts'
 
-/** One command on one input, as plain data for a queue. */
+/** A command on one input, as plain data that a queue can store. */
 export interface Job {
-  /** Hash of the work, independent of the paths of input and output; see `keyOf`. */
+  /** Hash of everything that determines the result, see `keyOf`. Does not depend on the paths of input and output. */
   key: string
   command: JobCommandName
   input: string
-  /** Content identity of the input; see `FileStore.identify`. */
+  /** Content identity of the input, see `FileStore.identify`. */
   identity: string
-  /** Absent for commands that write no file. */
+  /** Path or URL. Absent for commands that write no file. */
   output?: string
   options: JobOptions
 }
 
 /**
- * Cause of a failure. `file`: the input or the options, so the same job fails again. `memory`, `time`: a limit.
- * `crash`: the process. `machine`: the disk or the network.
+ * Cause of a failure. `file`: the input or the options are invalid, so the job would fail again. `memory` and `time`: a
+ * limit was exceeded. `crash`: the process crashed. `machine`: the disk or the network failed.
  */
 export type FailureKind = 'file' | 'memory' | 'time' | 'crash' | 'machine'
 
-/** Outcome of a job. */
+/** Result of a job that has ended. */
 export interface Outcome {
   status: 'done' | 'failed'
-  /** Reason of a failure, one line; absent unless failed, like `kind`. */
+  /** Reason of the failure, one line. `reason` and `kind` are absent if the job succeeded. */
   reason?: string
   kind?: FailureKind
   warnings: string[]
-  /** Summary of the JSON that the command printed. */
+  /** Fields of the JSON that the command printed, see `JobCommand.summary`. */
   result?: Record<string, unknown>
   /** Size of the output, bytes. */
   bytes?: number
   seconds: number
   attempts: number
-  /** Memory of the process after the command, bytes. */
+  /** Resident memory of the process after the command, bytes. */
   memory?: number
 }
 
 /**
- * Returns the key of a job: a hash of everything that determines its output.
+ * Returns the key of a job: a hash of everything that determines its result.
  *
  * @param version version of this package.
- * @param options options, with content identities instead of file paths.
+ * @param options options, with content identities in place of file paths.
  */
 export function keyOf(
   version: string,

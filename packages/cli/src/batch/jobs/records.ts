@@ -11,7 +11,7 @@ const MAX_WARNINGS = 10_000
 const KINDS: readonly FailureKind[] = ['file', 'memory', 'time', 'crash', 'machine']
 
 /**
- * Parses the outcome of a job from a worker or a results file. Ignores unknown fields.
+ * Parses the result of a job, from a worker or a results file. Ignores unknown fields.
  *
  * @throws FurrowError for the first missing or invalid field.
  */
@@ -38,7 +38,7 @@ export function parseOutcome(json: unknown, who: string): Outcome {
 }
 
 /**
- * Parses a job from a queue. Accepts only the options that a batch passes to commands.
+ * Parses a job from a queue. Accepts only options that users can pass through a batch.
  *
  * @throws FurrowError for the first missing or invalid field.
  */

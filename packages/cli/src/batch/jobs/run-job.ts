@@ -8,18 +8,21 @@ import type { Job, Outcome } from './job.ts'
 import { JOB_COMMANDS, type JobCommand } from './job-commands.ts'
 import { wordsOf } from './job-options.ts'
 
-/** Environment of jobs on this machine. */
+/** Processes, limits and temporary files for jobs on this machine. */
 export interface JobEnvironment {
   pool: Pick<ProcessPool, 'run'>
   limits: ProcessLimits
-  /** Private folder; each running job has a subfolder. */
+  /** Private folder. Each running job has a subfolder in it. */
   scratch: string
 }
 
-/** Maximum number of attempts after crashes. The next process is fresh, and may get more memory. */
+/**
+ * Maximum number of attempts if the process crashes or exceeds the memory limit. Each attempt after a failure gets a
+ * new process.
+ */
 const MAX_ATTEMPTS = 2
 
-/** Runs a job. Never throws: errors become a failed outcome. */
+/** Runs a job. Never throws: an error becomes an outcome with the status `failed`. */
 export async function runJob(job: Job, environment: JobEnvironment): Promise<Outcome> {
   const start = performance.now()
   const progress = { attempts: 0 }
@@ -30,16 +33,19 @@ export async function runJob(job: Job, environment: JobEnvironment): Promise<Out
     const outcome = await attempt(job, environment, folder, progress)
     return { ...outcome, seconds: seconds(), ...progress }
   } catch (error) {
-    // The input cannot be read or the output cannot be written, even after retries.
+    // The input cannot be read, or the output cannot be written, even after retries.
     return { ...machineFailure(error), seconds: seconds(), ...progress }
   } finally {
-    // Also removes partial files of a killed process.
+    // The folder may contain partial files of a killed process.
     if (folder !== undefined)
       await rm(folder, { recursive: true, force: true, maxRetries: 5 }).catch(() => {})
   }
 }
 
-/** Returns the outcome of an error outside the job's process, e.g. an unreachable input. The job can be run again. */
+/**
+ * Returns the outcome for an error outside the job's process, e.g. if an input cannot be downloaded. The job may
+ * succeed later.
+ */
 export function machineFailure(
   error: unknown,
 ): Required<Pick<Outcome, 'status' | 'kind' | 'reason' | 'warnings'>> {
@@ -72,7 +78,7 @@ async function attempt(
   } while ((end.end === 'crash' || end.end === 'memory') && progress.attempts < MAX_ATTEMPTS)
   if (end.end !== 'report') return { status: 'failed', ...limitFailure(end, limits), warnings: [] }
   const { report } = end
-  // Messages show the user's addresses instead of temporary paths.
+  // Messages should contain the addresses that the user gave, not temporary paths.
   const withAddresses = (text: string) =>
     text.replaceAll(input, job.input).replaceAll(target ?? input, job.output ?? job.input)
   const warnings = report.warnings.map(withAddresses)

@@ -1,4 +1,4 @@
-// Child process of `ProcessPool`: runs one command at a time, as requested by messages.
+// Child process of `ProcessPool`. Runs the commands that it receives as messages, one at a time.
 
 import { inspect } from 'node:util'
 import { FurrowError } from 'furrow'

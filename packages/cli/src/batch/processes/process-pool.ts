@@ -4,31 +4,33 @@ import { type CommandReport, type CommandRequest, OVER_MEMORY } from './protocol
 
 const JOB_PROCESS = fileURLToPath(new URL('./job-process.js', import.meta.url))
 
-/** Limits of one job. */
 export interface ProcessLimits {
-  /** Memory of the process (resident set), bytes. */
+  /** Resident memory of the process, bytes. */
   memory: number
   seconds: number
 }
 
-/** End of a command: its report, an exceeded limit, or a crash. */
+/** How a command ended: with a report, at a limit, or by a crash. */
 export type ProcessEnd =
   | { end: 'report'; report: CommandReport }
   | { end: 'memory' | 'time' }
   | { end: 'crash'; reason: string }
 
-/** Maximum memory of a process that is reused, as a fraction of the limit. */
+/** A process that uses more than this fraction of the memory limit is not reused. */
 const MAX_KEPT_MEMORY = 0.5
 
-/** Disables V8's compiler and garbage collector threads: with a job per core, they slow each other down. */
+/**
+ * V8 option that disables the threads of the compiler and the garbage collector. With one job per core, these threads
+ * would compete with other jobs.
+ */
 const NO_THREADS = '--single-threaded'
 
-/** Length of stderr that is kept, characters. */
+/** Number of characters of stderr that are kept. */
 const MAX_STDERR_LENGTH = 4096
 
 /**
- * Runs commands in child processes, so that a job can be killed at a limit and a crash affects only one job. Processes
- * are reused, because compiled code makes later jobs faster.
+ * Runs commands in child processes. A process can be killed at a limit, and a crash affects only one job. Processes are
+ * reused, because code that is already compiled makes later jobs faster.
  */
 export class ProcessPool {
   readonly #limits: ProcessLimits
@@ -41,7 +43,6 @@ export class ProcessPool {
     this.#program = program
   }
 
-  /** Runs a command in an idle or new process. */
   run(request: CommandRequest): Promise<ProcessEnd> {
     const child = this.#idle.pop() ?? this.#start()
     return new Promise((resolve) => {
@@ -72,16 +73,15 @@ export class ProcessPool {
           finish({ end: 'memory' })
         } else finish({ end: 'crash', reason: signal ?? `exit code ${code}` })
       }
-      // The system may be unable to start another process.
+      // The operating system could not start the process.
       const onError = ({ message }: Error) => finish({ end: 'crash', reason: message })
       child.stderr!.on('data', listen)
       child.once('message', onReport).once('close', onEnd).once('error', onError)
-      // If sending fails, the process has ended and `close` reports it.
+      // If sending fails, the process has ended, and `close` reports its end.
       child.send(request, () => {})
     })
   }
 
-  /** Kills all processes. */
   close(): void {
     for (const child of this.#all) child.kill('SIGKILL')
   }
@@ -91,7 +91,7 @@ export class ProcessPool {
     const child = fork(this.#program, [String(memory)], {
       execArgv: [`--max-old-space-size=${Math.ceil(memory / 2 ** 20)}`, NO_THREADS],
       stdio: ['ignore', 'ignore', 'pipe', 'ipc'],
-      // A new process group: Ctrl-C in the terminal must not reach running jobs.
+      // The process gets its own process group, so that Ctrl-C in the terminal does not reach running jobs.
       detached: true,
     })
     this.#all.add(child)

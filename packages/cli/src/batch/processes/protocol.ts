@@ -1,32 +1,32 @@
 import type { Printed } from '../../print.ts'
 
-/** Message to a job process. */
+/** Message to the child process that runs commands. */
 export interface CommandRequest {
   command: string
-  /** Command-line arguments after the command. */
+  /** Command-line arguments after the name of the command. */
   words: string[]
 }
 
-/** Message from a job process: the result of a command. */
+/** Message from the child process: the result of a command. */
 export interface CommandReport extends Printed {
   exitCode: number
-  /** Error, one line. */
+  /** Error message, one line. */
   failure?: string
-  /** Whether the machine caused the failure: a file cannot be written. */
+  /** Whether the failure is due to the machine: a file could not be written. */
   isMachine?: boolean
   /** Whether the failure is a bug of this program. The process is then not reused. */
   isBug?: boolean
-  /** Memory of the process after the command, bytes. */
+  /** Resident memory of the process after the command, bytes. */
   memory: number
 }
 
-/** Task of the thread that watches a process. */
+/** Input of the thread that watches the memory and the parent of a process. */
 export interface WatchTask {
   /** Memory limit of the process, bytes. */
   memory: number
-  /** Id of the parent. The process is killed if its parent has ended. */
+  /** Process id of the parent. The process is killed when its parent has ended. */
   parent: number
 }
 
-/** Message on stderr before a process is killed at its memory limit. */
+/** Text that a process writes to stderr before it kills itself at its memory limit. */
 export const OVER_MEMORY = 'furrow: over the memory limit'

@@ -1,12 +1,13 @@
 import { Worker } from 'node:worker_threads'
 import { OVER_MEMORY, type WatchTask } from './protocol.ts'
 
-/** Check interval, milliseconds. A job allocates at most some hundred megabytes in that time. */
+/** Interval between checks, milliseconds. A job allocates at most a few hundred megabytes in this time. */
 const INTERVAL = 100
 
 /**
- * Source of the watching thread; timers on the main thread do not fire during a computation. Checks the resident set,
- * because `--max-old-space-size` does not limit typed arrays, such as pixels and meshes.
+ * Source code of the watching thread. A thread is needed, because timers on the main thread wait for running
+ * computations. The thread checks the resident memory, because `--max-old-space-size` does not limit typed arrays, such
+ * as pixels and meshes.
  */
 const THREAD = `
   const { writeSync } = require('node:fs')
@@ -19,7 +20,9 @@ const THREAD = `
     if (isOver || isOrphan) process.kill(process.pid, 'SIGKILL')
   }, interval)`
 
-/** Kills this process when it exceeds its memory limit, or when its parent has ended. */
+/**
+ * Watches this process from a thread. Kills the process when it exceeds its memory limit, or when its parent has ended.
+ */
 export function startWatch(task: WatchTask): void {
   new Worker(THREAD, {
     eval: true,

@@ -11,23 +11,28 @@ import { bullmq, connectRedis, queueName } from './redis.ts'
 
 const WHO = 'furrow batch'
 
-/** Number of jobs that are looked up or added at once. */
+/** Number of jobs that are looked up or added in one step. */
 const CHUNK = 500
 
-/** Time without an outcome after which the queue is polled, milliseconds. */
+/** The queue is polled if no job has ended for this time, milliseconds. */
 const POLL_AFTER = 60_000
 
-/** Time for which the queue keeps ended jobs, seconds. A batch that is run again within this time finds them. */
+/**
+ * The queue keeps ended jobs for this time, seconds. If a batch is run again within this time, it finds their outcomes.
+ */
 const RETENTION = 7 * 24 * 3600
 
-/** Returns the id of a job in the queue. It depends on the output path, because two batches may write the same result to different files. */
+/**
+ * Returns the id of a job in the queue. The id depends on the output path, because two batches may write the same
+ * result to different files.
+ */
 function idOf({ key, output = '' }: Job): string {
   return `${key}-${createHash('sha256').update(output).digest('hex').slice(0, 8)}`
 }
 
 /**
- * Sends jobs to workers through Redis (BullMQ). Workers report outcomes through the queue, which outlives this process,
- * so a batch that is run again finds them. Jobs that Redis has lost are added again.
+ * Creates an engine that sends jobs to workers through Redis (BullMQ). Outcomes stay in Redis when this process ends,
+ * so a batch that is run again finds them. The engine adds jobs again if Redis loses them.
  */
 export function redisEngine(url: string, version: string): Engine {
   return async (jobs, onOutcome) => {
@@ -37,11 +42,11 @@ export function redisEngine(url: string, version: string): Engine {
       lost = true
     })
     const queue = new Queue(queueName(version), { connection })
-    // Starts at the newest event. By default, events between connecting and the first read would be missed.
+    // Reads all events from now on. By default, BullMQ would miss events between the connection and its first read.
     const [newest] = await connection.xrevrange(queue.keys.events, '+', '-', 'COUNT', 1)
     const lastEventId = newest?.[0] ?? '0-0'
     const events = new QueueEvents(queueName(version), { connection, lastEventId })
-    // The listener of the connection already reports errors.
+    // `connectRedis` already reports errors of the connection.
     queue.on('error', () => {})
     events.on('error', () => {})
     const waiting = new Map(jobs.map((job) => [idOf(job), job]))
@@ -82,9 +87,10 @@ export function redisEngine(url: string, version: string): Engine {
 }
 
 /**
- * Adds missing jobs to the queue and settles ended jobs.
+ * Adds jobs that are not in the queue yet. Reports the outcomes of jobs that have ended.
  *
- * @param isFirst whether ended jobs may be from an earlier batch; they then count only if their output still exists.
+ * @param isFirst whether ended jobs can be from an earlier batch. Ended jobs that fail `isStillValid` are then added
+ *   again.
  */
 async function enqueue(
   queue: Queue,
@@ -116,17 +122,17 @@ async function enqueue(
   }
 }
 
-/** Returns the outcome of a job, or undefined if it has not ended. */
+/** Returns the outcome of a job, or undefined if the job has not ended. */
 async function outcomeOf(job: QueuedJob): Promise<Outcome | undefined> {
   const state = await job.getState()
   if (state === 'completed') return reportedOutcome(job)
   if (state !== 'failed') return undefined
-  // A job whose command fails completes with an outcome. BullMQ marks a job as failed when its workers died too often.
-  const reason = `its workers stopped before it was done (${job.failedReason})`
+  // BullMQ marks a job as failed only if its workers disappeared too often. A job whose command fails is `completed`.
+  const reason = `its workers stopped before the job was done (${job.failedReason})`
   return { status: 'failed', kind: 'crash', reason, warnings: [], seconds: 0, attempts: job.attemptsStarted }
 }
 
-/** Returns the outcome that a worker reported. Validates it, because anything may write to Redis. */
+/** Returns the outcome that a worker reported. Validates the outcome, because other programs can write to Redis. */
 function reportedOutcome({ returnvalue, attemptsStarted }: QueuedJob): Outcome {
   try {
     return parseOutcome(returnvalue, 'a worker')
@@ -136,7 +142,9 @@ function reportedOutcome({ returnvalue, attemptsStarted }: QueuedJob): Outcome {
   }
 }
 
-/** Returns a job of the queue, if it exists. Removes a job with invalid JSON, so that it is added again. */
+/**
+ * Returns a job of the queue, if the queue contains it. Removes a job with invalid JSON, so that it can be added again.
+ */
 async function jobAt(queue: Queue, id: string): Promise<QueuedJob | undefined> {
   try {
     return await queue.getJob(id)

@@ -12,14 +12,15 @@ export const bullmq = () => optionalPackage(() => import('bullmq'), PACKAGES, '-
 const MAX_RETRY_DELAY = 2000
 
 /**
- * Returns the queue name of a version. Results depend on the version, so workers of other versions must not take its
- * jobs. To separate batches, use different Redis databases, e.g. `redis://host/1`.
+ * Returns the name of the queue for a version of this package. Results depend on the version, so a worker must not run
+ * jobs of another version. To separate batches of one version, use different Redis databases, e.g. `redis://host/1`.
  */
 export const queueName = (version: string) => `furrow-${version}`
 
 /**
  * Connects to Redis, and reconnects whenever the connection is lost. Commands wait for the connection.
  *
+ * @param onBack called after each reconnection.
  * @throws FurrowError if the URL is not a Redis URL.
  */
 export async function connectRedis(url: string, who: string, onBack: () => void = () => {}): Promise<Redis> {
@@ -35,7 +36,7 @@ export async function connectRedis(url: string, who: string, onBack: () => void 
     })
   }
   const redis = new Redis(url, {
-    // Required by BullMQ: commands wait for the connection instead of failing.
+    // BullMQ requires null, so that commands wait for the connection and do not fail.
     maxRetriesPerRequest: null,
     retryStrategy: (times) => Math.min(100 * times, MAX_RETRY_DELAY),
   })

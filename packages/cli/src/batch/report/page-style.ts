@@ -1,6 +1,6 @@
 import { Markup } from '../../markup.ts'
 
-/** Style sheet of the batch report, with the system's colour scheme, and cards instead of rows on phones. */
+/** Style sheet of the batch report. Follows the system's colour scheme. Phones show each row of the table as a card. */
 export const PAGE_STYLE = new Markup(`
 :root {
   --paper: #ffffff; --card: #f4f4f2; --ink: #1d1e20; --soft: #5c5f66; --line: #dcdcd8;
@@ -55,7 +55,7 @@ td ul { margin: 0; padding-left: 18px; font-size: 14px; }
 @media (min-width: 761px) { .sort { display: none; } }
 `)
 
-/** Script that sorts and filters the rows. Numbers in text sort by value: file 2 before file 10. */
+/** Script that sorts and filters the rows of the table. It compares numbers in text by value, e.g. file 2 is before file 10. */
 export const PAGE_SCRIPT = new Markup(`
 const body = document.querySelector('tbody')
 const rows = [...body.rows]

@@ -5,28 +5,27 @@ import { PAGE_SCRIPT, PAGE_STYLE } from './page-style.ts'
 import { type Cell, foundText, MAX_ROWS, rowsOf, sizeCell, timeCell } from './rows.ts'
 import { THUMBNAIL } from './thumbnails.ts'
 
-/** Content of the page. */
 export interface PageSource {
   command: string
   lines: readonly ResultLine[]
-  /** Summary of all lines, one line. */
+  /** Counts of all results as text, one line. */
   summary: string
-  /** File name of the results. */
+  /** File name of the results, beside the page. */
   results: string
-  /** Returns the URLs of a line's thumbnails, relative to the page, if it has any. */
+  /** Returns the URLs of the thumbnails of a result, relative to the page. Returns undefined if there are none. */
   thumbnails: (line: ResultLine) => readonly [before: string, after: string] | undefined
   /** Returns the URL of an output, relative to the page. */
   linkTo: (output: string) => string
-  /** Notes about the page itself, e.g. why thumbnails are missing. */
+  /** Remarks for the top of the page, e.g. why thumbnails are missing. */
   notes: readonly string[]
 }
 
 const COLUMNS = ['File', 'State', 'Found', 'Size', 'Time'] as const
 
-/** Index of the first column after the thumbnails. */
+/** Position of `COLUMNS[0]` among the columns of the table. The thumbnails are in column 0. */
 const FIRST = 1
 
-/** Returns the HTML report of a batch. Its thumbnails are separate files. */
+/** Returns the HTML report of a batch. Thumbnails are separate files. */
 export function batchPage(source: PageSource): string {
   const rows = rowsOf(source.lines)
   const isTruncated = source.lines.length > MAX_ROWS

@@ -16,20 +16,21 @@ import { isRemote, storeOf } from '../stores/store-of.ts'
 
 const WHO = 'furrow batch'
 
-/** Size of a thumbnail, pixels. A phone shows it a third as wide. */
+/** Size of a thumbnail, pixels. The page shows it smaller, so it stays sharp on high-density screens. */
 export const THUMBNAIL = { width: 288, height: 384 }
 
-/** Camera view: a close-up, so that wrinkles are visible at thumbnail size. */
+/** Camera view of a thumbnail. It is a close-up, so that wrinkles are visible at this size. */
 const VIEW = { yaw: 0, pitch: 0, zoom: 1.7 }
 
-/** Returns the file names of a face without and with wrinkles. */
+/** Returns the file names of the thumbnails without and with wrinkles. `key` is the key of the job. */
 export const thumbnailNames = (key: string) => [`${key}-before.webp`, `${key}-after.webp`] as const
 
 /**
- * Draws the faces of some lines into a folder, without and with wrinkles. Skips existing thumbnails.
+ * Draws the output of each result without and with wrinkles, and writes the thumbnails to a folder. Skips existing
+ * thumbnails.
  *
  * @param progress called with the number of faces that are done.
- * @returns distinct reasons why faces were not drawn.
+ * @returns reasons why faces could not be drawn, each once.
  */
 export async function drawThumbnails(
   lines: readonly ResultLine[],
@@ -46,7 +47,7 @@ export async function drawThumbnails(
     for (const [done, line] of missing.entries()) {
       progress(done)
       try {
-        // A face can crash the browser; restart it for the next one.
+        // A face can crash the browser. The next face then needs a new browser.
         if (!browser?.isConnected()) browser = await launchBrowser()
       } catch (error) {
         if (!(error instanceof FurrowError)) throw error
@@ -102,7 +103,7 @@ async function drawFace(
   await writeAll(files, WHO)
 }
 
-/** Returns the first expression of `posesOf` that the face supports, otherwise all areas at full activation. */
+/** Returns the first expression that the face supports. If it supports none, returns activation 1 for all areas. */
 async function poseOf(input: string): Promise<Pick<PictureRequest, 'targets' | 'activations'>> {
   const glb = await readGlbFile(input, WHO)
   const targets = [...new Set((glb.json.meshes ?? []).flatMap(targetNamesOf))]

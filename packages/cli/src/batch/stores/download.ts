@@ -8,7 +8,7 @@ import { checkFileBytes } from 'furrow-files'
 /**
  * Writes a stream to a new file in a folder.
  *
- * @param folder folder of one job; the caller removes it, also after errors.
+ * @param folder folder of one job. The caller removes it, also after errors.
  * @returns path of the file and hash of its bytes.
  * @throws FurrowError if the stream exceeds the size limit of input files.
  */
@@ -37,14 +37,13 @@ export async function hashOf(stream: Readable, address: string): Promise<string>
   return `sha256:${hash.digest('hex')}`
 }
 
-/** Reads a stream into memory. */
 export async function bytesOf(stream: Readable, address: string): Promise<Uint8Array> {
   const chunks: Buffer[] = []
   for await (const chunk of limited(stream, address)) chunks.push(chunk)
   return Buffer.concat(chunks)
 }
 
-/** Yields the chunks of a stream. Throws if it exceeds the size limit, regardless of its declared length. */
+/** Yields the chunks of a stream. Throws if they exceed the size limit, even if a header declared a smaller size. */
 async function* limited(chunks: AsyncIterable<Buffer>, address: string): AsyncGenerator<Buffer> {
   let length = 0
   for await (const chunk of chunks) {

@@ -10,7 +10,7 @@ import type { FileStore } from './file-store.ts'
 
 const WHO = 'furrow batch'
 
-/** Local files and folders, or a disk that machines share. */
+/** Store of local files and folders. Several machines may share the disk. */
 export const files: FileStore = {
   async identify(path, reads) {
     try {
@@ -27,14 +27,14 @@ export const files: FileStore = {
     throw changedInput(path)
   },
   read: (path) => readBytes(path, WHO),
-  // The batch has already checked its outputs.
+  // The batch has already checked that outputs overwrite no inputs.
   put: (path, bytes) => writeAll([{ path, bytes }], WHO, { updated: [path] }),
   async sizeOf(path) {
     return (await statOf(path))?.size
   },
 }
 
-/** Creates the error for an input whose content changed after the job was created. */
+/** Creates the error for an input whose content has changed since the job was created. */
 export function changedInput(address: string): FurrowError {
   return new FurrowError({
     code: 'unreadable',
@@ -45,11 +45,14 @@ export function changedInput(address: string): FurrowError {
 }
 
 async function addFile(hash: Hash, path: string): Promise<void> {
-  // A pipeline per file would leak listeners on the hash.
+  // `stream.pipeline` would add listeners to the hash for each file, and never remove them.
   for await (const chunk of createReadStream(path)) hash.update(chunk)
 }
 
-/** Hashes a face. For a `.gltf`, includes referenced files in its folder; the command reports missing ones. */
+/**
+ * Adds a glTF file to a hash. For a `.gltf`, also adds the referenced files in its folder. Skips missing files, because
+ * the command reports them.
+ */
 async function addFace(hash: Hash, path: string): Promise<void> {
   const problem = fileProblem(await statOf(path))
   if (problem) throw cannotRead(WHO, path, problem, { remedy: "give files, e.g. 'avatars/**/*.glb'" })
@@ -62,7 +65,7 @@ async function addFace(hash: Hash, path: string): Promise<void> {
   }
 }
 
-/** Returns the URIs in a `.gltf`, without data URIs. Returns none for invalid files, which the command reports. */
+/** Returns the URIs in a `.gltf`, except data URIs. Returns none for an invalid file, because the command reports it. */
 async function urisOf(path: string): Promise<string[]> {
   const { buffers, images } = Object(await readAnyJson(path))
   const uris: unknown[] = [buffers, images].flat().map((one) => Object(one).uri)
@@ -77,15 +80,14 @@ async function readAnyJson(path: string): Promise<unknown> {
   }
 }
 
-/** Returns all strings in a value. */
 function stringsIn(value: unknown): string[] {
   if (typeof value === 'string') return [value]
   return typeof value === 'object' && value !== null ? Object.values(value).flatMap(stringsIn) : []
 }
 
 /**
- * Returns the paths of all files that a command may read for a local input. Includes referenced files, also outside
- * the folder.
+ * Returns the paths of all files that a command may read for a local input. Includes referenced files, even outside the
+ * folder.
  */
 export async function filesRead(path: string, reads: 'file' | 'folder'): Promise<string[]> {
   const own = reads === 'file' ? [path] : (await entriesOf(path)).filter(isFileOrLink).map(pathIn)

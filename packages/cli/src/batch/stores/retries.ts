@@ -1,9 +1,9 @@
 import { setTimeout as sleep } from 'node:timers/promises'
 
-/** Delays before the second and third attempt, milliseconds. */
+/** Delays before the second and the third attempt, milliseconds. */
 const DELAYS = [1000, 5000]
 
-/** Codes of transient system and network errors. */
+/** Error codes of transient faults of the system and the network. */
 const CODES = new Set(
   (
     'EAGAIN EBUSY EIO EMFILE ENFILE ENOBUFS ESTALE ETIMEDOUT ECONNRESET ECONNREFUSED ECONNABORTED EPIPE EAI_AGAIN ' +
@@ -11,7 +11,7 @@ const CODES = new Set(
   ).split(' '),
 )
 
-/** Whether an HTTP status is transient: timeout, rate limit or server error. */
+/** Returns whether an HTTP status is transient: a timeout, a rate limit or a server error. */
 const isTransientStatus = (status: number) => status === 408 || status === 429 || status >= 500
 
 interface Failure {
@@ -22,7 +22,6 @@ interface Failure {
   $metadata?: { httpStatusCode?: number }
 }
 
-/** Returns whether an error, or one of its causes, is transient. */
 export function isTransient(error: unknown): boolean {
   if (typeof error !== 'object' || error === null) return false
   const { code, name, cause, status, $metadata } = error as Failure
@@ -35,7 +34,7 @@ export function isTransient(error: unknown): boolean {
   )
 }
 
-/** Runs `work` up to three times while it fails with transient errors. */
+/** Runs `work`. Repeats it up to twice if it fails with a transient error. */
 export async function withRetries<T>(work: () => Promise<T>, delays: readonly number[] = DELAYS): Promise<T> {
   for (const delay of delays) {
     try {

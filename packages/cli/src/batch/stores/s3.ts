@@ -10,7 +10,7 @@ import { changedInput } from './local-files.ts'
 const WHO = 'furrow batch'
 
 /**
- * S3 and compatible stores. The AWS SDK reads credentials, region and endpoint from the environment
+ * Store of S3 and compatible servers. The AWS SDK reads credentials, region and endpoint from the environment
  * (https://docs.aws.amazon.com/sdkref/latest/guide/environment-variables.html).
  */
 export const s3: FileStore = {
@@ -37,7 +37,7 @@ export const s3: FileStore = {
   },
   async put(address, bytes) {
     const { PutObjectCommand } = await sdk()
-    // A single request is atomic: an incomplete upload changes nothing.
+    // One request is atomic: an incomplete upload does not change the object.
     const object = { ...objectOf(address), Body: bytes, ContentType: 'model/gltf-binary' }
     await withErrors(cannotWrite, address, (client) => client.send(new PutObjectCommand(object)))
   },
@@ -54,7 +54,6 @@ export const s3: FileStore = {
   },
 }
 
-/** Lists all `.glb` and `.vrm` files below an address that ends with a slash. */
 export async function listS3(address: string): Promise<ListedObject[]> {
   const { paginateListObjectsV2 } = await sdk()
   const { Bucket, Key: Prefix } = objectOf(address)
@@ -70,7 +69,7 @@ export async function listS3(address: string): Promise<ListedObject[]> {
   })
 }
 
-/** Parses `s3://bucket/key`. The key is not URL-encoded. */
+/** Parses `s3://bucket/key`. The key is not percent-encoded. */
 function objectOf(address: string): { Bucket: string; Key: string } {
   const [, Bucket, Key] = /^s3:\/\/([^/]+)\/(.*)$/.exec(address) ?? []
   if (Bucket) return { Bucket, Key }
@@ -84,14 +83,17 @@ function objectOf(address: string): { Bucket: string; Key: string } {
   })
 }
 
-/** ETag: MD5 of the content or of the MD5s of its parts; with some encryptions a random number per upload. */
+/**
+ * Returns a content identity from an ETag. An ETag is a hash of the content. With some encryptions, it is a random
+ * number that changes with each upload.
+ */
 const identityOf = (tag: string | undefined) => `s3:${tag}`
 
 const sdk = () => optionalPackage(() => import('@aws-sdk/client-s3'), '@aws-sdk/client-s3', 'an s3:// URL')
 
 let client: Promise<S3Client> | undefined
 
-/** Creates the client. Servers other than Amazon's have no host name per bucket, hence `forcePathStyle`. */
+/** Creates the S3 client. Sets `forcePathStyle` unless the server is Amazon's: others have no host name per bucket. */
 function connect(): Promise<S3Client> {
   client ??= sdk().then(({ S3Client }) => {
     const { AWS_ENDPOINT_URL, AWS_ENDPOINT_URL_S3, AWS_REGION } = process.env

@@ -8,15 +8,16 @@ import { changedInput } from './local-files.ts'
 
 const WHO = 'furrow batch'
 
-/** Timeout per file, milliseconds. */
+/** Time limit per request, milliseconds. */
 const TIMEOUT = 300_000
 
-/** HTTP and HTTPS, for inputs only. */
+/** Store of HTTP and HTTPS servers. Reads only. */
 export const web: FileStore = {
   async identify(address) {
     const { headers } = await request(address, 'HEAD')
     const tag = headers.get('etag')
-    // Weak ETags may survive content changes. The address is included because ETags of two servers may be equal.
+    // A weak ETag may stay equal when the content changes. The identity includes the address, because two servers may
+    // use equal ETags.
     if (tag && !tag.startsWith('W/')) return `etag:${address}:${tag}`
     return withErrors(address, async () => hashOf((await get(address)).body, address))
   },
@@ -57,7 +58,7 @@ async function request(address: string, method: 'GET' | 'HEAD'): Promise<Respons
 async function get(address: string) {
   const response = await request(address, 'GET')
   const { headers, body } = response
-  // Avoids downloading a file that is too large.
+  // Throws before the download if the declared size is too large.
   checkFileBytes(Number(headers.get('content-length') ?? 0), address, WHO)
   const stream = Readable.fromWeb((body ?? new Blob([]).stream()) as ReadableStream)
   return { body: stream, tag: headers.get('etag') }

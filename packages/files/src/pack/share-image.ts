@@ -1,0 +1,69 @@
+import { FurrowError } from 'furrow'
+import { decodeImage } from '#images'
+import { channelOf } from '../images/pixels.ts'
+import { encodePortablePng } from '../images/png.ts'
+import { scaleImage } from '../images/scale.ts'
+import type { MapName } from '../wrinkles/map-slots.ts'
+import { joinChannels } from '../wrinkles/shared-image.ts'
+import type { CheckedImage } from './checked-image.ts'
+
+/**
+ * Writes the blood map of a layer into the blue channel of its occlusion image, and the onset map (activation at which
+ * wrinkles begin to show) into the green channel. Scales both maps to the size of the occlusion map. If there is no
+ * occlusion map, scales the onset map to the size of the blood map. Channels without a map are white.
+ *
+ * Roughness also uses green. If roughness and occlusion share an image and there is no onset, the new image keeps the
+ * roughness. With an onset, roughness still uses the old image.
+ *
+ * @returns the layer with its maps in the new image.
+ * @throws FurrowError if a map has to be scaled to a size that is not square.
+ */
+export async function shareImage<L extends { name: string } & Partial<Record<MapName, CheckedImage>>>(
+  layer: L,
+  who: string,
+): Promise<L> {
+  const { occlusion, blood, onset, roughness } = layer
+  const isShared = roughness !== undefined && roughness === occlusion
+  const isJoined = (!blood || blood === occlusion) && (!onset || onset === (occlusion ?? blood))
+  if ((!blood && !onset) || (isJoined && !(onset && isShared))) return layer
+  const { width, height } = (occlusion ?? blood ?? onset)!
+  const read = async (map: MapName, channel: number) => {
+    const image = layer[map]
+    if (!image) return undefined
+    const isScaled = image.width !== width || image.height !== height
+    if (isScaled && width !== height) throw sizeMismatch(layer.name, map, image, { width, height }, who)
+    const pixels = await decodeImage(image.bytes, image.name, who)
+    return channelOf(isScaled ? scaleImage(pixels, width) : pixels, channel)
+  }
+  const green = onset ? 'onset' : 'roughness'
+  const channels = [
+    await read('occlusion', 0),
+    onset || isShared ? await read(green, 1) : undefined,
+    await read('blood', 2),
+  ]
+  const bytes = encodePortablePng(joinChannels(channels, width, height))
+  const image = { ...(occlusion ?? blood ?? onset)!, mimeType: 'image/png', width, height, bytes }
+  return {
+    ...layer,
+    ...(occlusion && { occlusion: image }),
+    ...(blood && { blood: image }),
+    ...(onset && { onset: image }),
+    ...(isShared && !onset && { roughness: image }),
+  }
+}
+
+function sizeMismatch(
+  layer: string,
+  map: MapName,
+  { width, height }: CheckedImage,
+  limit: { width: number; height: number },
+  who: string,
+): FurrowError {
+  return new FurrowError({
+    who,
+    problem: `the ${map} map of layer "${layer}" differs in size from the map that shares its image`,
+    value: `${width} x ${height}`,
+    limit: `${limit.width} x ${limit.height}`,
+    remedy: 'scale both to one size',
+  })
+}
