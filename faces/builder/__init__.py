@@ -1,6 +1,7 @@
-"""Modules of the build scripts."""
+"""Modules of the scripts that build the faces, the hand and the neck."""
 
 import os
 
-# Read by NumPy at import. Threads would be slower for small sums, and change the order of summation.
+# NumPy reads this variable when it is imported. With several threads, small sums would be slower, and the order of
+# summation would vary.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")

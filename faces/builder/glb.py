@@ -1,4 +1,4 @@
-"""Writes parts, materials and images as binary glTF 2.0. Deterministic: same input, same bytes."""
+"""Writes parts, materials and images as binary glTF 2.0. The same input gives the same bytes."""
 
 import json
 import struct
@@ -10,15 +10,18 @@ from .part import Part
 from .rig import Rig
 from .source import ARKIT
 
-# Displacements (metres) and changes of unit normals below the first number are dropped, and fade in up to the second
-# number, so that no edge is visible. A third of a millimetre is less than half a pixel on a full-screen face. Parts
-# whose targets do not change normals are hidden or thin, so they have larger limits.
+# To make files smaller, invisible displacements are removed from targets. Each pair has a lower and an upper limit for
+# the lengths of displacements (SHIFT, metres) or of changes of unit normals (TURN). Lengths below the lower limit
+# become 0. Lengths between both limits are reduced, to avoid a visible edge. 0.34 mm is less than half a pixel on a
+# full-screen face. `SHIFT_FADE_UNLIT` is for parts whose targets do not change normals. It is larger, because these
+# parts are hidden or thin.
 SHIFT_FADE = (3.4e-4, 8e-4)
 SHIFT_FADE_UNLIT = (5e-4, 1.2e-3)
 TURN_FADE = (0.068, 0.138)
 
 # Values are rounded to multiples of these steps, because their last bits differ between processors. The steps are too
-# small to see.
+# small to be visible. Units: metres, uv, components of normals, components of changes of normals, and components of
+# rotations.
 MICRON, FINE_UV, FINE_NORMAL, FINE_TURN, FINE_TURNED = 1e-6, 1e-6, 1e-5, 1e-4, 1e-7
 
 FLOAT, USHORT, UBYTE = 5126, 5123, 5121
@@ -26,7 +29,7 @@ ARRAY_BUFFER, ELEMENT_BUFFER = 34962, 34963
 
 
 class Glb:
-    """Collects parts in order, then returns the file's bytes."""
+    """Collects the contents of a file. `finish` returns its bytes."""
 
     def __init__(self, materials: list[dict], images: dict[str, tuple[str, bytes]]):
         self._bytes, self._rows, self._values = bytearray(), bytearray(), bytearray()
@@ -98,7 +101,7 @@ class Glb:
         self._json["nodes"].append(node)
 
     def skeleton(self, rig: Rig) -> None:
-        """Adds joints as the first nodes. Call before `add`."""
+        """Adds the joints of a rig as the first nodes of the file. Must be called before `add`."""
         self._rig = rig
         inverse = np.zeros((len(rig.names), 4, 4))
         for j, (name, parent) in enumerate(zip(rig.names, rig.parents, strict=True)):
@@ -123,7 +126,7 @@ class Glb:
         ]
 
     def animation(self, name: str, seconds: np.ndarray, turns: dict[str, np.ndarray]) -> None:
-        """Adds rotations of joints: (t, 3, 3) matrices in each joint's frame, at times (t,)."""
+        """Adds a clip. `turns`: rotation matrices (t, 3, 3) by joint name, in the joint's frame, at `seconds` (t,)."""
         rig = self._rig
         clip = {"name": name, "samplers": [], "channels": []}
         times = self._accessor(seconds[:, None], "SCALAR", MICRON, bounds=True, target=None)
@@ -169,14 +172,16 @@ class Glb:
 
     def _sparse(self, dense: np.ndarray, bounds=False) -> int:
         rows = np.flatnonzero(dense.any(axis=1))
-        if not len(rows):  # targets of a mesh need the same attributes, and sparse accessors at least one entry
+        # A sparse accessor needs at least one entry. If no vertex changes, vertex 0 is stored with a change of 0.
+        if not len(rows):
             rows = np.zeros(1, int)
         values = _settled(dense[rows], MICRON if bounds else FINE_TURN)
         accessor = {"componentType": FLOAT, "count": len(dense), "type": "VEC3"}
-        if bounds:  # includes zeros unless every vertex moves
+        # The vertices that are not listed in a sparse accessor have the displacement 0, which the bounds must include.
+        if bounds:
             every = values if len(rows) == len(dense) else np.vstack([values, np.zeros((1, 3), "<f4")])
             accessor["min"], accessor["max"] = every.min(axis=0).tolist(), every.max(axis=0).tolist()
-        # finish() appends the two buffer views of all sparse indices and values.
+        # All sparse accessors share two buffer views, for indices and values. `finish` appends these views.
         accessor["sparse"] = {
             "count": len(rows),
             "indices": {"bufferView": -1, "byteOffset": len(self._rows), "componentType": USHORT},
@@ -202,7 +207,6 @@ class Glb:
         return self._integers(np.round(np.clip(colours, 0, 1) * 255), np.uint8, normalized=True)
 
     def _integers(self, values: np.ndarray, kind: type, normalized=False) -> int:
-        """Adds an accessor with four integers per vertex."""
         data = values.astype(kind)
         accessor = {
             "bufferView": self._view(data.tobytes(), ARRAY_BUFFER),
@@ -254,16 +258,17 @@ def _node(turn: np.ndarray, position: np.ndarray) -> dict:
 
 
 def _quaternion(turn: np.ndarray) -> np.ndarray:
-    """Converts to x, y, z, w with w >= 0."""
+    """Converts a rotation matrix to a quaternion (x, y, z, w) with w >= 0."""
     return Rotation.from_matrix(turn).as_quat(canonical=True)
 
 
 def _continuous(values: np.ndarray) -> np.ndarray:
-    """Chooses between q and -q, the same rotation, by distance to the previous value."""
+    """Makes a series of quaternions continuous: negates a quaternion if this brings it closer to the previous one."""
     for k in range(1, len(values)):
         values[k] *= 1 if values[k] @ values[k - 1] >= 0 else -1
     return values
 
 
 def _settled(values: np.ndarray, step: float) -> np.ndarray:
-    return (np.round(values / step) * step + 0.0).astype("<f4")  # adding zero turns -0 into 0
+    # Adding zero turns -0 into 0.
+    return (np.round(values / step) * step + 0.0).astype("<f4")

@@ -1,28 +1,29 @@
-"""Texture layout of the skin: the head's UV island of MakeHuman's mesh (the source), upright in the unit square.
+"""Computes the texture layout of the head's skin from the layout of MakeHuman's mesh, the source.
 
-As an image it shows the person from the front: forehead up, the person's left on the right, symmetric about u = 0.5.
-The source gives eyelids and lips too few texels for wrinkles. Therefore the interior is relaxed until texels are nearly
-even over the skin, and denser on the face. The outline stays, with the back of the head compressed.
+The layout fills the unit square and is symmetric about u = 0.5. As an image, it shows the person from the front:
+forehead up, the person's left on the right. In the source's layout, eyelids and lips have too few texels for wrinkles.
+Therefore all vertices inside the layout's outline are moved, until texels cover nearly equal areas of skin. Only the
+middle of the face has more texels.
 """
 
 import numpy as np
 from scipy.sparse import coo_matrix, diags, identity
 from scipy.sparse.linalg import spsolve
 
-FOCUS = 3.0  # u = asinh(FOCUS x) / asinh(FOCUS) enlarges the face and compresses the nape
-HEAD_BOTTOM = 0.93  # v of the source island's lower end; the neck is below
+FOCUS = 3.0  # enlarges the face and compresses the nape: u = asinh(FOCUS * x) / asinh(FOCUS)
+HEAD_BOTTOM = 0.93  # v of the lower end of the head; the neck is below
 ROUNDS = 3  # rounds of relaxation; a fourth would fold quads at the nostrils
-FACE_CENTRE = np.array([0.0, 0.735, 0.15])  # metres, on the source's unblended base figure
-FACE_SIZE = 0.085  # metres
-FACE_GAIN = 1.0  # added texel density in the middle of the face
+FACE_CENTRE = np.array([0.0, 0.735, 0.15])  # metres, on the source's base figure
+FACE_SIZE = 0.085  # radius of the region with more texels, metres
+FACE_GAIN = 1.0  # relative increase of texels per metre in the middle of the face
 
 
 def skin_layout(source: np.ndarray, quads: np.ndarray, positions: np.ndarray) -> np.ndarray:
-    """Returns uv (n, 2), v down.
+    """Returns texture coordinates (n, 2), v down.
 
-    `source` (n, 2): texture coordinates of the source, forehead left, v up. The neck has none, so they are nan there.
-    `quads`: vertex indices. `positions` (n, 3): vertices of the symmetric base figure, so that all recipes share a
-    layout.
+    `source` (n, 2): texture coordinates of the source, forehead left, v up. They are nan on the neck. `quads` (f, 4):
+    vertex indices. `positions` (n, 3): vertices of the symmetric base figure. The shape of a person is not used, so
+    all people have the same layout.
     """
     uv = _upright(source)
     loops = borders(quads)
@@ -31,7 +32,8 @@ def skin_layout(source: np.ndarray, quads: np.ndarray, positions: np.ndarray) ->
 
     # Triangle fans close the openings of eyes and mouth, so that the relaxation moves their edges too.
     a, b, c, d = quads.T
-    triangles = [np.stack(t, 1) for t in ((a, b, c), (a, c, d), (a, b, d), (b, c, d))]  # both diagonals, for symmetry
+    # Each quad is cut along both diagonals, so that the result is symmetric.
+    triangles = [np.stack(t, 1) for t in ((a, b, c), (a, c, d), (a, b, d), (b, c, d))]
     points = [positions]
     for hole in holes:
         centre = np.full(len(hole), sum(map(len, points)))
@@ -47,8 +49,8 @@ def skin_layout(source: np.ndarray, quads: np.ndarray, positions: np.ndarray) ->
     rows, cols, weights = _mean_value_weights(points, triangles)
     density = 1 + FACE_GAIN * np.exp(-((points - FACE_CENTRE) ** 2).sum(axis=1) / FACE_SIZE**2)
     slack = np.ones(count)
-    # S. Yoshizawa, A. Belyaev, H.-P. Seidel, "A fast and simple stretch-minimizing mesh parameterization", 2004:
-    # repeatedly solves, and weakens springs around vertices with large stretch.
+    # S. Yoshizawa, A. Belyaev, H.-P. Seidel, "A fast and simple stretch-minimizing mesh parameterization", 2004. Each
+    # round solves for the texture coordinates, and then reduces the weights of vertices with large stretch.
     for _ in range(ROUNDS + 1):
         spring = coo_matrix((weights / slack[cols], (rows, cols)), (count, count)).tocsr()
         spring = diags(1 / np.asarray(spring.sum(axis=1)).ravel()) @ spring
@@ -61,25 +63,29 @@ def skin_layout(source: np.ndarray, quads: np.ndarray, positions: np.ndarray) ->
 
 
 def _upright(source: np.ndarray) -> np.ndarray:
-    lowest = source[np.nanargmax(source[:, 0]), 1]  # under the chin, on the line of symmetry
-    across = source[:, 1] - lowest
+    # The lowest vertex is under the chin, on the line of symmetry.
+    symmetry = source[np.nanargmax(source[:, 0]), 1]
+    across = source[:, 1] - symmetry
     u = 0.5 + 0.5 * np.arcsinh(FOCUS * across / np.nanmax(np.abs(across))) / np.arcsinh(FOCUS)
     down = source[:, 0] - np.nanmin(source[:, 0])
     return np.stack([u, HEAD_BOTTOM * down / np.nanmax(down)], axis=1)
 
 
 def _close_outline(uv: np.ndarray, positions: np.ndarray) -> np.ndarray:
-    """Adds the neck to the outline: the nape's seam down both sides of the square, the collar along the bottom."""
+    """Completes the outline of the layout with texture coordinates for the border of the neck.
+
+    The seam at the nape goes down both sides of the square. The lower edge of the neck, the collar, goes along the
+    bottom of the square.
+    """
     neck = np.isnan(uv[:, 0])
     first = np.flatnonzero(neck & ~np.roll(neck, 1))[0]
-    order = np.roll(
-        np.arange(len(uv)), 1 - first
-    )  # starts with the last vertex of the seam that has texture coordinates
-    run = order[: neck.sum() + 2]  # ends with the vertex's twin on the other side
+    # `run`: vertices along the outline of the neck. It starts with the last vertex of the seam that has texture
+    # coordinates, and ends with the same vertex on the other side of the seam.
+    order = np.roll(np.arange(len(uv)), 1 - first)
+    run = order[: neck.sum() + 2]
     gaps = np.linalg.norm(np.diff(positions[run], axis=0), axis=1)
-    foot = np.flatnonzero(
-        np.abs(positions[run, 0]) < 1e-6
-    )  # vertices on the midline: the ends of both seams, and the front of the collar
+    # Vertices in the plane of symmetry: those of the seam, and the front of the collar.
+    foot = np.flatnonzero(np.abs(positions[run, 0]) < 1e-6)
     collar = np.array([i for i in foot if positions[run[i], 2] < 0 and neck[run[i]]])
     start, end = collar[len(collar) // 2 - 1], collar[len(collar) // 2]
     along = np.concatenate([[0], np.cumsum(gaps)])
@@ -97,7 +103,7 @@ def _close_outline(uv: np.ndarray, positions: np.ndarray) -> np.ndarray:
 
 
 def borders(quads: np.ndarray) -> list[np.ndarray]:
-    """Finds loops of border edges, shortest first."""
+    """Returns the loops of border edges as arrays of vertices, shortest first."""
     edges = np.stack([quads.ravel(), np.roll(quads, -1, axis=1).ravel()], 1)
     _, which, uses = np.unique(np.sort(edges, axis=1), axis=0, return_inverse=True, return_counts=True)
     after = dict(edges[uses[which.ravel()] == 1].tolist())
@@ -113,7 +119,10 @@ def borders(quads: np.ndarray) -> list[np.ndarray]:
 
 
 def _mean_value_weights(points, triangles):
-    """M. Floater, "Mean value coordinates", 2003. Positive weights keep vertices between their neighbours."""
+    """Returns mean value weights (M. Floater, "Mean value coordinates", 2003) as rows, columns and values of a matrix.
+
+    The weights are positive, which keeps each vertex between its neighbours.
+    """
     rows, cols, weights = [], [], []
     for k in range(3):
         i, j, m = (triangles[:, (k + s) % 3] for s in range(3))
@@ -127,7 +136,7 @@ def _mean_value_weights(points, triangles):
 
 
 def _stretch(points, uvs, triangles) -> np.ndarray:
-    """Returns metres on the skin per unit of uv, (n,): root mean square over directions and triangles."""
+    """Returns the stretch at each vertex, (n,): metres on the skin per unit of uv, averaged over its triangles."""
 
     def edge(x, k):
         return x[triangles[:, k]] - x[triangles[:, 0]]

@@ -1,8 +1,8 @@
-"""Materials of the files. Colours are linear, as in glTF."""
+"""Lists the glTF materials of the models. Colours are linear, as in glTF."""
 
 
 def materials(look: dict) -> tuple[list[dict], list[str]]:
-    """Returns the materials, and the names of their images in the order of texture indices."""
+    """Returns the materials of a face, and the names of their images in the order of texture indices."""
     images = ["skin-colour", "skin-normal", "skin-surface", "skin-specular", "eye", "brow", "lash"]
     texture = {name: {"index": i} for i, name in enumerate(images)}
 
@@ -30,7 +30,7 @@ def materials(look: dict) -> tuple[list[dict], list[str]]:
 
 
 def hand_materials(look: dict) -> tuple[list[dict], list[str]]:
-    """Returns materials and image names of a hand in a cuff."""
+    """Returns the materials of the hand and its cuff, and the names of their images in the order of texture indices."""
     images = ["skin-colour", "skin-normal", "skin-surface"]
     texture = {name: {"index": i} for i, name in enumerate(images)}
     return [_skin(texture, look), _plain("shirt", 0.92, (*look["shirt"], 1), doubleSided=True)], images
@@ -54,8 +54,8 @@ def _textured(name, texture, roughness, **more):
 
 def _skin(texture, look):
     extensions = {
-        # Skin reflects 2.8 per cent at normal incidence (index of refraction 1.4). Sheen approximates fuzz and light
-        # scattered out of the skin at grazing angles.
+        # With an index of refraction of 1.4, skin reflects 2.8 per cent at normal incidence. Sheen approximates fine
+        # hair, and light that leaves the skin at grazing angles after scattering below it.
         "KHR_materials_ior": {"ior": 1.4},
         "KHR_materials_specular": {"specularTexture": texture["skin-specular"]} if "skin-specular" in texture else None,
         "KHR_materials_sheen": {"sheenColorFactor": look["fuzz"], "sheenRoughnessFactor": 0.45},

@@ -1,11 +1,15 @@
-"""Rasterises a mesh's texture layout, to paint maps as functions of position in space."""
+"""Rasterises the texture layout of a mesh, so that maps can be painted by the position of each texel in space."""
 
 import numpy as np
 from scipy.ndimage import distance_transform_edt
 
 
 class Atlas:
-    """Triangle and barycentric coordinates of each texel, or of the nearest texel inside a triangle."""
+    """Stores the triangle and the barycentric coordinates of each texel.
+
+    A texel outside all triangles gets the values of the nearest texel inside a triangle. `covered` is the mask of
+    texels inside a triangle.
+    """
 
     def __init__(self, uv: np.ndarray, triangles: np.ndarray, size: int):
         self.size = size
@@ -32,7 +36,7 @@ class Atlas:
         self._weights = weights[tuple(nearest)]
 
     def spread(self, per_vertex: np.ndarray) -> np.ndarray:
-        """Interpolates values per vertex, (n,) or (n, k), to (size, size) or (size, size, k)."""
+        """Interpolates values of vertices, (n,) or (n, k), at all texels: (size, size) or (size, size, k)."""
         corners = self._triangles[self._owner]
         weights = self._weights if per_vertex.ndim == 1 else self._weights[..., None]
         return sum(per_vertex[corners[..., k]] * weights[:, :, k] for k in range(3))

@@ -1,6 +1,6 @@
-"""Recipes of people: amounts of the source's targets, and colours.
+"""Lists the recipes of people: weights of MakeHuman's targets (`shapes`), and colours and other values (`look`).
 
-Colours are sRGB, 0..1, unless stated otherwise; lengths are in uv.
+Colours are sRGB, 0..1, unless stated otherwise. Lengths are in uv.
 """
 
 HUMAN = {
@@ -23,7 +23,7 @@ HUMAN = {
         "asym/asym-brown-1-l": 0.3,
         "asym/asym-jaw-1-r": 0.25,
     },
-    # Amounts of expressions in the resting face.
+    # Weights of expressions in the resting face, by ARKit name.
     "rest": {
         "eyeWideLeft": 0.32,
         "eyeWideRight": 0.32,
@@ -141,7 +141,7 @@ HUMAN_2 = {
 
 RECIPES = [HUMAN, HUMAN_2]
 
-# The hand and the neck belong to the first face.
+# The hand belongs to the person of human.glb.
 HAND = {
     "shapes": HUMAN["shapes"],
     "look": HUMAN["look"]

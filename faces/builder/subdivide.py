@@ -1,7 +1,7 @@
-"""Catmull-Clark subdivision of a quad mesh as a sparse matrix, and smooth vertex normals.
+"""Subdivides quad meshes and computes smooth vertex normals.
 
 E. Catmull, J. Clark, "Recursively generated B-spline surfaces on arbitrary topological meshes", 1978. Subdivision is
-linear, so one matrix applies to positions, displacements and texture coordinates.
+linear, so it is represented by a sparse matrix, which can be applied to positions, displacements and weights.
 """
 
 import numpy as np
@@ -9,10 +9,12 @@ from scipy.sparse import coo_matrix, csr_matrix, identity, vstack
 
 
 def catmull_clark(quads: np.ndarray, count: int) -> tuple[csr_matrix, np.ndarray]:
-    """Returns the matrix (new vertices x old vertices) and the new quads, four per old quad, in the old order.
+    """Subdivides quads (f, 4) over `count` vertices once.
 
-    The order of new vertices is: moved old vertices, edge points, face points. Open borders are cubic B-splines. A
-    vertex of a single quad is a corner and does not move.
+    Returns a sparse matrix (new vertices x old vertices) that computes values of new vertices, and the new quads
+    (4f, 4). New vertices are ordered: moved old vertices, edge points, face points. The four new quads of an old quad
+    are consecutive, and each starts with a corner of the old quad. Open borders become cubic B-splines. A vertex that
+    belongs to a single quad does not move.
     """
     faces = len(quads)
     starts = quads.ravel()
@@ -25,14 +27,16 @@ def catmull_clark(quads: np.ndarray, count: int) -> tuple[csr_matrix, np.ndarray
     face_ids = np.repeat(np.arange(faces), 4)
     face_point = _table(0.25, face_ids, starts, (faces, count))
 
-    # Edge points: the mean of both ends and both face points; on a border the mean of both ends.
+    # An edge point is the mean of both ends of the edge and both adjacent face points. On a border it is the mean of
+    # both ends.
     edge_ids = np.repeat(np.arange(len(edges)), 2)
     ends_mean = _table(0.5, edge_ids, edges.ravel(), (len(edges), count))
     faces_mean = _table(0.5, edge_of.ravel(), face_ids, (len(edges), faces)) @ face_point
     inner = (~border).astype(float)
     edge_point = _scale(ends_mean, 1 - 0.5 * inner) + _scale(faces_mean, 0.5 * inner)
 
-    # Inner old vertices: (mean of face points + 2 x mean of edge midpoints + (n - 3) x vertex) / n.
+    # An old vertex with n quads, inside the mesh, moves to
+    # (mean of face points + 2 * mean of edge midpoints + (n - 3) * vertex) / n.
     valence = np.maximum(np.bincount(starts, minlength=count), 1)
     spokes = np.maximum(np.bincount(edges.ravel(), minlength=count), 1)
     around_faces = _scale(_table(1, starts, face_ids, (count, faces)) @ face_point, 1 / valence)
@@ -42,7 +46,7 @@ def catmull_clark(quads: np.ndarray, count: int) -> tuple[csr_matrix, np.ndarray
         _scale(around_faces, 1 / valence) + _scale(around_edges, 2 / valence) + _scale(itself, (valence - 3) / valence)
     )
 
-    # Border vertices: 3/4 of the vertex and 1/8 of each neighbour along the border.
+    # An old vertex on a border moves to 3/4 * vertex + 1/8 * (sum of both neighbours along the border).
     border_edges = edges[border]
     along = _table(0.125, border_edges.ravel(), border_edges[:, ::-1].ravel(), (count, count))
     on_border = np.bincount(border_edges.ravel(), minlength=count) > 0
@@ -69,7 +73,10 @@ def _scale(matrix, weights) -> csr_matrix:
 
 
 def vertex_normals(positions: np.ndarray, quads: np.ndarray) -> np.ndarray:
-    """Returns unit normals, averaged over quads by area (half the cross product of the diagonals)."""
+    """Returns the unit normals of vertices, averaged over their quads and weighted by area.
+
+    The area is proportional to the length of the cross product of a quad's diagonals.
+    """
     a, b, c, d = (positions[quads[:, i]] for i in range(4))
     face = np.cross(c - a, d - b)
     total = np.stack(

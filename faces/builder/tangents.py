@@ -1,4 +1,4 @@
-"""MikkTSpace tangents (M. S. Mikkelsen, 2008) of parts without mirrored uv."""
+"""Computes MikkTSpace tangents (M. S. Mikkelsen, 2008) for parts without mirrored uv."""
 
 import numpy as np
 
@@ -6,11 +6,14 @@ from .part import Part
 
 
 def tangents(part: Part) -> np.ndarray:
-    """Returns (n, 4): the direction of increasing u, and 1. The bitangent, up in the image, is cross(normal, tangent).
+    """Returns tangents (n, 4): xyz is the direction of increasing u, and w is 1.
 
-    Averages the triangles around a vertex, projected into its tangent plane and weighted by angle.
+    The bitangent points up in the image and equals `cross(normal, tangent)`. The tangents of the triangles around a
+    vertex are projected into the vertex's tangent plane, and averaged with the triangles' angles as weights.
+
+    Raises ValueError if a triangle is mirrored in uv.
     """
-    up = part.uv * [1, -1]  # v up
+    up = part.uv * [1, -1]
     corners = part.triangles
     p, t = part.positions[corners], up[corners]
     first, second = p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]

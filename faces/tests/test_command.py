@@ -8,7 +8,7 @@ from builder.command import Job, run
 
 @pytest.fixture
 def build(tmp_path, monkeypatch):
-    """Runs the command line with a fake wheel."""
+    """Returns a function that runs the build command with a fake wheel."""
 
     class FakeWheel:
         def __init__(self, path):

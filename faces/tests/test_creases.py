@@ -8,7 +8,7 @@ from tests.shapes import sheet_part
 
 
 def chart(belongs=None):
-    """Returns the chart of a sheet of 100 x 100 mm."""
+    """Returns a chart of a sheet of 100 x 100 mm. `belongs`: mask of the vertices in the chart."""
     part = sheet_part(4)
     return Chart(part, part.positions[:, :2] * 100, np.ones(25, bool) if belongs is None else belongs)
 

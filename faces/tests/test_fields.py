@@ -57,14 +57,14 @@ def test_relief_is_flat_away_from_the_skin():
     near[0] = False
     normals = np.round(relief(height, 0.5, near) * 255)
     assert (normals[0] == [128, 128, 255]).all()
-    # Height increases to the right, so normals lean to the left, in steps of 3.
+    # Heights increase to the right, so normals lean to the left. Bytes are 128 plus a multiple of 3.
     assert (normals[1:, :, 0] < 128).all()
     assert ((normals[1:, :, 0] - 128) % 3 == 0).all()
     assert (normals[1:, :, 1] == 128).all()
 
 
 def test_relief_is_green_up():
-    height = np.tile(np.arange(8.0)[::-1, None], (1, 8))  # increases upwards, so normals lean downwards
+    height = np.tile(np.arange(8.0)[::-1, None], (1, 8))  # heights increase upwards, so normals lean downwards
     assert (relief(height, 0.5, np.ones((8, 8), bool))[..., 1] * 255 < 128).all()
 
 

@@ -91,7 +91,7 @@ def test_joints_and_clips():
     glb = Glb([{"name": "skin"}], {})
     glb.skeleton(rig)
     glb.add(part)
-    # A turn past 180 degrees: quaternions must not change sign.
+    # The rotation goes past 180 degrees. Consecutive quaternions must not change sign.
     angles = np.radians([0, 100, 200, 300])
     turns = np.array([[[1, 0, 0], [0, np.cos(a), -np.sin(a)], [0, np.sin(a), np.cos(a)]] for a in angles])
     glb.animation("roll", np.arange(4.0), {"b": turns})

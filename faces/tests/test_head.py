@@ -10,7 +10,7 @@ def test_thinned_quads_leave_no_gap_beside_fine_ones():
     positions, quads = grid(2)
     matrix, fine = catmull_clark(quads, len(positions))
     points = matrix @ positions
-    # The lower half is thinned, the upper half stays fine.
+    # The lower half is the neck, which gets fewer triangles.
     is_neck = positions[quads].mean(axis=1)[:, 1] < 0.5
     fine = fine.reshape(-1, 4, 4)
     triangles = thin_out(fine[is_neck], np.unique(fine[~is_neck]))
@@ -18,7 +18,7 @@ def test_thinned_quads_leave_no_gap_beside_fine_ones():
     assert np.isin(border, triangles).all()
     a, b, c = points[triangles].transpose(1, 0, 2)
     areas = np.cross(b - a, c - a)[:, 2] / 2
-    # The sheet's corners stay, so its area is half the unit square, minus rounded borders.
+    # The lower half of the unit square has an area of 0.5. Subdivision rounds its borders, so the area is smaller.
     assert (areas > 0).all()
     assert abs(areas.sum() - 0.5) < 0.01
     assert len(triangles) == 2 * 3  # two quads with five corners each

@@ -4,8 +4,10 @@ import pytest
 from builder.identities.amounts import identity
 from builder.identities.carry import carry, vary
 from builder.identities.decimate import decimate
+from builder.identities.heads import Figure
 from builder.identities.stylise import Places, Style, stylise
 from builder.part import Part
+from builder.source import Mesh
 from sample_heads import seeds
 from tests.shapes import grid
 
@@ -36,6 +38,23 @@ def test_a_seed_gives_one_person():
         assert 0 < min(amounts.values()) <= max(amounts.values()) <= 1
 
 
+def test_a_seed_gives_one_head(sheet):
+    positions, quads = sheet
+    positions = positions + np.array([-0.05, 0.62, 0])
+
+    class Targets:
+        def shape(self, name):
+            return positions * 0.01 * len(name)
+
+        face_unit = shape
+
+    mesh = Mesh(positions, positions[:, :2], quads, quads, np.full(len(quads), "body"))
+    (first, moves), (again, moves_again), (other, _) = (Figure(Targets(), mesh).person(seed) for seed in (3, 3, 4))
+    assert (first == again).all()
+    assert all((moves[name] == moves_again[name]).all() for name in moves)
+    assert np.abs(first - other).max() > 1e-4
+
+
 def test_spans_of_seeds_are_read():
     assert seeds("101-103") == [101, 102, 103]
     assert seeds("7") == [7]
@@ -56,7 +75,7 @@ def test_lids_meet_on_a_person_with_larger_eyes(sheet):
     positions, _ = sheet
     upper, lower = np.flatnonzero(positions[:, 1] > 0.0701), np.flatnonzero(positions[:, 1] < 0.0299)
     lids = np.concatenate([upper, lower])
-    # The upper lid's edge moves from 0.075 to the lower lid's edge at 0.025.
+    # The edge of the upper lid at y = 0.075 moves to the edge of the lower lid at y = 0.025.
     edge = upper[np.isclose(positions[upper, 1], 0.075)]
     below = lower[np.isclose(positions[lower, 1], 0.025)]
     unit = np.zeros_like(positions)
@@ -114,5 +133,5 @@ def test_decimation_keeps_borders_attributes_and_the_layout(sheet):
     areas = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
     assert (areas > 0).all()
     assert areas.sum() / 2 == pytest.approx(1)
-    # Flat skin is removed before the bump.
+    # Vertices are removed from flat skin first, so the bump keeps its height.
     assert less.positions[:, 2].max() > 0.0195

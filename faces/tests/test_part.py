@@ -4,7 +4,8 @@ from builder.part import triangulate
 
 
 def test_quads_are_cut_along_the_shorter_diagonal():
-    positions = np.array([[0, 0, 0], [2, 0, 0], [3, 1, 0], [1, 1, 0]], float)  # a rhomboid: b to d is shorter
+    # The shorter diagonal of this parallelogram goes from its second to its fourth corner.
+    positions = np.array([[0, 0, 0], [2, 0, 0], [3, 1, 0], [1, 1, 0]], float)
     assert triangulate(np.array([[0, 1, 2, 3]]), positions).tolist() == [[0, 1, 3], [1, 2, 3]]
     positions[:, 0] *= -1
     assert triangulate(np.array([[3, 0, 1, 2]]), positions).tolist() == [[3, 0, 1], [3, 1, 2]]

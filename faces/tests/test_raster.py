@@ -17,7 +17,7 @@ def test_texels_interpolate_at_their_centres():
 
 def test_texels_outside_have_the_value_of_the_nearest_one():
     part = sheet_part()
-    part.uv = part.uv / 2  # the upper left quarter
+    part.uv = part.uv / 2  # covers the upper left quarter of the texture
     atlas = Atlas(part.uv, part.triangles, 16)
     assert atlas.covered.sum() == 64
     values = atlas.spread(part.uv[:, 0])

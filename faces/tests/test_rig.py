@@ -26,7 +26,7 @@ def test_unused_slots_name_the_first_joint():
 
 
 class Skeleton:
-    """Fakes a wheel with a chain of bones along x: `a`, `b`, and `c`, which is not kept."""
+    """A fake wheel with a chain of three bones along x. The tests keep `a` and `b`, but not `c`."""
 
     def rig(self):
         def end(vertex):

@@ -21,9 +21,11 @@ def test_counts_of_a_cube():
 def test_a_cube_follows_the_rule():
     positions, quads = cube()
     fine = catmull_clark(quads, len(positions))[0] @ positions
-    # (F + 2 R + (n - 3) P) / n for n = 3: face points average 1/3, edge midpoints 2/3 of the corner.
+    # A corner P moves to (F + 2 * R + (n - 3) * P) / n. Here n = 3, the mean of the face points F is P / 3, and the
+    # mean of the edge midpoints R is 2/3 * P.
     assert fine[:8] == pytest.approx(positions * (1 / 3 + 2 * 2 / 3) / 3)
-    # Edge points: the mean of two ends and two face points, (1 + 1 + 1 + 0) / 4 along two axes and 0 along the edge.
+    # An edge point is the mean of two ends and two face points: (1 + 1 + 1 + 0) / 4 on two axes, and 0 on the axis
+    # along the edge.
     assert np.sort(np.abs(fine[8:20]), axis=1) == pytest.approx(np.tile([0, 0.75, 0.75], (12, 1)))
     assert np.sort(np.abs(fine[20:]), axis=1) == pytest.approx(np.tile([0, 0, 1], (6, 1)))
 
@@ -34,7 +36,7 @@ def test_a_flat_sheet_stays_flat_and_keeps_its_corners():
     assert fine[:, 2] == pytest.approx(0)
     for corner in (0, 2, 6, 8):
         assert fine[corner] == pytest.approx(positions[corner])
-    # Regular spacing is preserved, on borders too.
+    # The middle vertex of a regular grid does not move.
     assert fine[4] == pytest.approx([0.5, 0.5, 0])
     assert fine[1] == pytest.approx([0.5, 0, 0])
 

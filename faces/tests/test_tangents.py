@@ -13,7 +13,7 @@ def test_tangents_follow_u():
 def test_tangents_follow_a_turned_layout():
     part = sheet_part()
     u, v = part.uv.T
-    part.uv = np.stack([v, 1 - u], axis=1)  # a quarter turn: u increases along -y
+    part.uv = np.stack([v, 1 - u], axis=1)  # rotated by 90 degrees, so that u increases along -y
     assert tangents(part) == pytest.approx(np.tile([0, -1, 0, 1], (9, 1)))
 
 

@@ -1,1 +1,1 @@
-"""Random heads for tests: shapes of many people, without maps."""
+"""Builds random heads for tests. They have different shapes and no texture maps."""

@@ -1,9 +1,9 @@
-"""Random amounts of MakeHuman's identity targets. One seed gives one person."""
+"""Chooses random weights of MakeHuman's identity targets, the morph targets that make different people."""
 
 import numpy as np
 
-# Pairs of opposite targets, such as smaller and larger: their common name, and the ending of each. Targets that move a
-# feature sideways are omitted.
+# Pairs of opposite targets, such as smaller and larger. For example, "head/head-" with "age:decr:incr" means the two
+# targets head/head-age-decr and head/head-age-incr. Targets that move a feature sideways are omitted.
 PAIRS = {
     "head/head-": ["age:decr:incr", "fat:decr:incr", "angle:in:out", "back-scale-depth:decr:incr"],
     "head/head-scale-": ["depth:decr:incr", "horiz:decr:incr", "vert:decr:incr"],
@@ -61,7 +61,7 @@ PAIRS = {
     ],
     "neck/neck-": ["double:decr:incr", "scale-depth:decr:incr", "scale-horiz:decr:incr"],
 }
-# Pairs that exist for each side.
+# Pairs of opposite targets that exist for the left and the right side. `?` is replaced by l or r.
 SIDED_PAIRS = {
     "cheek/?-cheek-": ["bones:decr:incr", "inner:decr:incr", "trans:down:up", "volume:decr:incr"],
     "eyes/?-eye-": [
@@ -106,15 +106,15 @@ UNEVEN = [
     "nose-1",
 ]
 
-SPREAD = 0.25  # standard deviation of the amount of a pair
-SKULL_SPREAD = 0.15  # the same for the skull, whose targets are stronger
-MAX_AMOUNT = 0.8  # maximum amount
-UNEVENNESS = 0.04  # standard deviation of the difference between the sides
+SPREAD = 0.25  # standard deviation of the weight of a pair
+SKULL_SPREAD = 0.15  # standard deviation for pairs in `SKULL`, whose targets are stronger
+MAX_AMOUNT = 0.8  # maximum weight of a target
+UNEVENNESS = 0.04  # standard deviation of the difference between the weight of one side and the mean of both sides
 CHILDREN = 0.1  # fraction of heads with childlike features
 
 
 def identity(seed: int) -> dict[str, float]:
-    """Returns amounts by target, 0..1. Same seed, same person."""
+    """Returns the weights of a random person's targets, 0..1, by target name. The same seed gives the same person."""
     random = np.random.default_rng([seed, 1])
     amounts = _people(random)
     for family, pairs in PAIRS.items():
@@ -132,7 +132,11 @@ def identity(seed: int) -> dict[str, float]:
 
 
 def _people(random: np.random.Generator) -> dict[str, float]:
-    """Mixes ancestry, sex, age, muscle and weight. A target's amount is the product of the person's shares in them."""
+    """Chooses weights of the targets for ancestry, sex, age, muscle and body weight.
+
+    A person can, for example, be 30 per cent male and 70 per cent old. The weight of a target is the product of these
+    shares, over all properties in the target's name.
+    """
     ancestry = dict(zip(["african", "asian", "caucasian"], random.dirichlet([0.7] * 3), strict=True))
     male = random.beta(0.4, 0.4)
     old = random.uniform(0, 1)
@@ -152,7 +156,7 @@ def _people(random: np.random.Generator) -> dict[str, float]:
 
 
 def _three(value: float) -> dict[str, float]:
-    """Splits a value in -1..1 into three shares for the minimum, average and maximum target, which sum to 1."""
+    """Splits a value in -1..1 into shares of the minimum, average and maximum target. The shares sum to 1."""
     return {"min": max(0, -value), "average": 1 - abs(value), "max": max(0, value)}
 
 

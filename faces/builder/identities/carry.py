@@ -1,15 +1,20 @@
-"""Transfers expressions from MakeHuman's base figure to a person, and varies them as artists would."""
+"""Transfers expressions from MakeHuman's base figure to another person, and varies them as if other artists made them.
+
+An expression is a morph target of the face with an ARKit name.
+"""
 
 import numpy as np
 from scipy.spatial import cKDTree
 
-# These shapes warp the space around the skin, so that lids still meet on larger eyes.
+# For these expressions, the rest position and the moved position of a vertex are transferred, so that lids still meet
+# on larger eyes. For other expressions, the displacement is transformed.
 LIDS = ("eyeBlink", "eyeLook", "eyeSquint", "eyeWide")
-NEIGHBOURS = 24  # vertices per fit of a local deformation
-STIFFNESS = 0.15  # regularisation of the fit towards the identity, relative to the spread of the neighbours
-NEAR = 6  # vertices to interpolate a displacement from
+NEIGHBOURS = 24  # number of vertices to which a local affine map is fitted
+STIFFNESS = 0.15  # regularisation of the fit towards the identity matrix, relative to the neighbours' variance
+NEAR = 6  # number of vertices from which a displacement is interpolated
 
-# Shapes that some artists mix into other shapes of the same side, with the maximum amount.
+# Some artists mix a related expression into an expression of the same side. Each entry has three parts: the expression,
+# the related expression, and the maximum weight of the related expression.
 ACCENTS = [
     ("mouthSmile", "cheekSquint", 0.25),
     ("mouthSmile", "mouthDimple", 0.15),
@@ -22,21 +27,22 @@ ACCENTS = [
     ("mouthPucker", "mouthFunnel", 0.2),
     ("cheekSquint", "eyeSquint", 0.2),
 ]
-# These shapes are not varied: lids and lips must meet, and eyes turn rigidly.
+# Expressions that are not varied, because lids and lips must meet and eyes turn rigidly.
 FIXED = ("eyeBlink", "eyeLook", "jawOpen", "mouthClose", "tongueOut")
-STRENGTH = 0.2  # standard deviation of the logarithm of a shape's strength
-STRENGTHS = (0.65, 1.2)
-SIDES = 0.05  # the same per side
-WAVE = 0.12  # maximum local change of a shape's strength
+STRENGTH = 0.2  # standard deviation of the logarithm of an expression's strength
+STRENGTHS = (0.65, 1.2)  # minimum and maximum strength
+SIDES = 0.05  # standard deviation of the logarithm of an additional factor for each side
+WAVE = 0.12  # maximum local change of an expression's strength
 WAVELENGTH = (0.06, 0.14)  # metres
 
 
 def carry(
     units: dict[str, np.ndarray], source: np.ndarray, person: np.ndarray, used: np.ndarray
 ) -> dict[str, np.ndarray]:
-    """Transfers the displacements `units` by the deformation from the figure `source` to `person`.
+    """Transfers expressions from the figure `source` to `person`.
 
-    All arrays are (n, 3) over the full figure. `used`: vertices to transfer; other displacements are 0.
+    All arrays are (n, 3), over the vertices of the full figure. `units`: displacements by expression. `used`: indices
+    of the vertices to transfer. The displacements of other vertices become 0.
     """
     moved = person - source
     tree = cKDTree(source[used])
@@ -56,7 +62,7 @@ def carry(
 
 
 def vary(units: dict[str, np.ndarray], positions: np.ndarray, random: np.random.Generator) -> dict[str, np.ndarray]:
-    """Varies the shapes as another artist would: strengths, related shapes mixed in, local differences."""
+    """Varies expressions: scales them, mixes related expressions into them, and changes their strength locally."""
     shares = {(name, other): random.uniform(0, largest) for name, other, largest in ACCENTS}
     strengths = {stem: np.exp(random.normal(0, STRENGTH)) for stem in sorted({_stem(name) for name in units})}
     varied = {}
@@ -95,7 +101,7 @@ def _local(source: np.ndarray, person: np.ndarray, tree: cKDTree) -> np.ndarray:
 
 
 def _field(tree: cKDTree, moved: np.ndarray, points: np.ndarray) -> np.ndarray:
-    """Interpolates displacements at `points` (n, 3) from the nearest vertices, weighted by distance."""
+    """Interpolates the displacements `moved` at `points` (n, 3). The weight of a vertex is 1 / squared distance."""
     distance, near = tree.query(points, k=NEAR)
     weight = 1 / (distance + 1e-3) ** 2
     return np.einsum("nk,nki->ni", weight / weight.sum(axis=1, keepdims=True), moved[near])

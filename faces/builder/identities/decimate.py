@@ -1,6 +1,8 @@
-"""Removes vertices by collapsing edges into an end, so that remaining vertices keep their attributes.
+"""Simplifies a mesh by collapsing edges.
 
-M. Garland, P. Heckbert, "Surface simplification using quadric error metrics", 1997. Vertices on borders and seams stay.
+M. Garland, P. Heckbert, "Surface simplification using quadric error metrics", 1997. Each collapse moves one end of an
+edge to the other end, so remaining vertices keep their positions and attributes. Vertices on borders and UV seams are
+kept.
 """
 
 import heapq
@@ -10,9 +12,9 @@ import numpy as np
 
 from ..part import Part
 
-MOTION_COST = 3.0  # added cost factor of a vertex that moves by `MOTION` in some target
+MOTION_COST = 3.0  # added to the cost factor of a vertex that a target moves by `MOTION`
 MOTION = 5e-3  # metres
-SHORT = 1e-9  # cost per squared edge length
+SHORT = 1e-9  # cost of a collapse per squared edge length
 MIN_COSINE = 0.3  # minimum cosine between a triangle's normals before and after a collapse
 
 
@@ -39,7 +41,7 @@ def decimate(part: Part, count: int) -> Part:
 
 def _collapsed(positions, uv, triangles, weights, count) -> np.ndarray:
     faces = {i: tuple(t) for i, t in enumerate(triangles.tolist())}
-    around = [set() for _ in positions]  # vertex -> its faces
+    around = [set() for _ in positions]  # faces around each vertex
     for i, face in faces.items():
         for v in face:
             around[v].add(i)
@@ -62,7 +64,7 @@ def _collapsed(positions, uv, triangles, weights, count) -> np.ndarray:
         return {w for face in around[v] for w in faces[face]} - {v}
 
     def best(v):
-        """Returns the cost and the cheapest neighbour to collapse v into."""
+        """Returns the cheapest collapse of vertex `v`: its cost and the neighbour, or None if none is allowed."""
         near = neighbours(v)
         order = sorted(near)
         ends = homogeneous[order]
@@ -117,7 +119,7 @@ def _border(triangles, count) -> np.ndarray:
 
 
 def _keeps_shape(v, w, around, faces, positions, uv) -> bool:
-    """Whether a collapse flips no triangle, in space or in the texture layout."""
+    """Returns whether collapsing `v` into `w` flips no triangle, neither in space nor in the texture layout."""
     kept = [faces[f] for f in around[v] if w not in faces[f]]
     before = np.array(kept).reshape(-1, 3)
     after = np.where(before == v, w, before)
@@ -127,7 +129,7 @@ def _keeps_shape(v, w, around, faces, positions, uv) -> bool:
         return False
     if uv is None:
         return True
-    # Rejects slivers as well as mirrored triangles in the layout.
+    # Triangles in the texture layout must neither be mirrored nor nearly vanish.
     old, new = (_areas(uv, t) for t in (before, after))
     return bool((np.sign(old) * new > 1e-8).all())
 

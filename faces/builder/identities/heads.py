@@ -1,4 +1,4 @@
-"""Parts of a random head."""
+"""Builds the parts of a random head, in a realistic or a cartoon style."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -19,7 +19,7 @@ from .stylise import places_of, style_of, stylise
 IRIS, PUPIL, WHITE = (0.16, 0.12, 0.09), (0.01, 0.01, 0.01), (0.72, 0.69, 0.66)  # linear
 HELPERS = ("helper-l-eye", "helper-r-eye", "helper-lower-teeth", "helper-upper-teeth", "helper-tongue")
 
-# Vertex counts of a stylised head's parts.
+# Number of vertices of each part of a cartoon head.
 COUNTS = {"skin": 2200, "eye-left": 400, "eye-right": 400, "tongue": 150, "mouth": 400, "sockets": 300}
 
 MATERIALS = [
@@ -35,7 +35,7 @@ MATERIALS = [
 
 
 class Figure:
-    """The source's figure and expressions, shared by all heads."""
+    """The base figure of MakeHuman and its expressions, which all heads share."""
 
     def __init__(self, wheel: Wheel, mesh: Mesh):
         self.wheel, self.mesh = wheel, mesh
@@ -45,13 +45,13 @@ class Figure:
         self.used = np.unique(mesh.quads[(region != "") | helpers])
 
     def person(self, seed: int) -> tuple[np.ndarray, dict[str, np.ndarray]]:
-        """Returns the figure's vertices at rest, (n, 3), and its expressions."""
+        """Returns a random person: the vertices at rest, (n, 3), and the displacements of the expressions."""
         random = np.random.default_rng([seed, 2])
         shapes = identity(seed)
         base = self.mesh.positions + sum(amount * self.wheel.shape(name) for name, amount in shapes.items())
         carried = carry(self.units, self.mesh.positions, base, self.used)
         varied = vary(carried, base, random)
-        # The source's eyes are half closed.
+        # Opens the eyes, which are half closed in the base figure.
         wide = random.uniform(0.15, 0.45)
         base = base + random.uniform(0, 0.08) * carried["mouthClose"]
         for side in ("Left", "Right"):
@@ -68,7 +68,7 @@ def realistic(figure: Figure, seed: int) -> list[Part]:
 
 
 def stylised(figure: Figure, seed: int) -> list[Part]:
-    """Builds the same person as a cartoon with few vertices and without teeth."""
+    """Builds the same person as `realistic` does, but as a cartoon with few vertices and without teeth."""
     style = style_of(seed)
     base, units = figure.person(seed)
     for side in ("Left", "Right"):
@@ -85,8 +85,8 @@ def stylised(figure: Figure, seed: int) -> list[Part]:
 
 
 def _warped(part: Part, warp: Callable[[np.ndarray], np.ndarray]) -> Part:
-    """Applies a map of space to a part and its targets."""
-    # Copies of a vertex at the seam share a normal.
+    """Applies `warp`, a function of positions, to the vertices of a part and to its targets."""
+    # A UV seam splits a vertex into several vertices at one position. They get the same normal.
     _, first, index = np.unique(part.positions, axis=0, return_index=True, return_inverse=True)
     index = index.ravel()
     welded = index[part.triangles]
@@ -105,7 +105,7 @@ def _warped(part: Part, warp: Callable[[np.ndarray], np.ndarray]) -> Part:
 
 
 def inner_parts(head: Head, mesh: Mesh, iris=1.0) -> list[Part]:
-    """Builds all parts except the skin. `iris`: scale of the irises."""
+    """Builds all parts except the skin. `iris`: scale factor of the irises."""
     return [
         *[_eye(head, mesh, side, iris) for side in ("left", "right")],
         teeth_part(head, mesh, "upper"),
@@ -117,7 +117,7 @@ def inner_parts(head: Head, mesh: Mesh, iris=1.0) -> list[Part]:
 
 
 def _eye(head: Head, mesh: Mesh, side: str, iris: float) -> Part:
-    """Builds an eyeball with the iris in its vertex colours."""
+    """Builds an eyeball. Its vertex colours show the iris and the pupil."""
     part = eye_part(head, mesh, side)
     ball = ball_of(head, mesh, side)
     direction = part.positions - ball.centre

@@ -1,7 +1,7 @@
-"""Cartoon proportions as a map of space: large eyes, short nose, small mouth, big skull, thin neck.
+"""Warps a head to cartoon proportions: large eyes, short nose, small mouth, big skull, thin neck.
 
-The map depends only on a point's position, so that lids and lips still meet. With slightly larger strengths than the
-maxima in `style_of`, the map would fold the skin between the eyes.
+The warp depends only on a point's position, so that lids and lips still meet. With slightly larger strengths than the
+maxima in `style_of`, it would fold the skin between the eyes.
 """
 
 from dataclasses import dataclass
@@ -10,34 +10,34 @@ import numpy as np
 
 from ..source import Mesh
 
-# Fractions of the distance between the eyes.
+# Radii of the features' warps, as fractions of the distance between the eyes.
 EYE_SIZE, NOSE_SIZE, MOUTH_SIZE = 0.45, 0.27, 0.5
 MOUTH_ALONG = np.array([1, 0.4, 0.4])
 
 
 @dataclass
 class Style:
-    """Strengths of a cartoon, 0..1 unless stated otherwise."""
+    """Strengths of a cartoon's proportions. Fields are relative changes of a size unless stated otherwise."""
 
-    eyes: float  # growth
-    apart: float  # fraction of the distance between the eyes that each moves outwards
-    wide: float  # amount of eyeWide
-    nose: float  # loss of length and depth
-    mouth: float  # loss of width
-    skull: float  # growth above the eyes
-    jaw: float  # loss of width at the chin
-    neck: float  # loss of width
+    eyes: float  # enlargement of the eyes
+    apart: float  # shift of each eye outwards, as a fraction of the distance between the eyes
+    wide: float  # weight of the target eyeWide
+    nose: float  # reduction of the nose's length and depth
+    mouth: float  # reduction of the mouth's width
+    skull: float  # enlargement of the skull above the eyes
+    jaw: float  # reduction of the jaw's width at the chin
+    neck: float  # reduction of the neck's width
 
 
 @dataclass
 class Places:
-    """Centres of features at rest, metres."""
+    """Positions of a head's features at rest, metres."""
 
-    eyes: np.ndarray  # (2, 3)
-    nose: np.ndarray  # on the face behind the tip
-    mouth: np.ndarray
+    eyes: np.ndarray  # (2, 3) centres
+    nose: np.ndarray  # point behind the tip of the nose, in the plane of the face
+    mouth: np.ndarray  # centre
     chin: float  # height
-    neck: np.ndarray
+    neck: np.ndarray  # point on the neck's axis; only x and z are used
 
 
 def style_of(seed: int) -> Style:
@@ -55,7 +55,10 @@ def style_of(seed: int) -> Style:
 
 
 def places_of(mesh: Mesh, base: np.ndarray, skin: np.ndarray) -> Places:
-    """Finds the features. `base`: vertices of the figure at rest; `skin`: points on the head's skin, (n, 3)."""
+    """Finds the features of a head.
+
+    `base`: vertices of the full figure at rest. `skin`: points on the head's skin, (n, 3).
+    """
 
     def middle(group):
         points = base[np.unique(mesh.quads[mesh.groups == group])]
@@ -74,7 +77,6 @@ def places_of(mesh: Mesh, base: np.ndarray, skin: np.ndarray) -> Places:
 
 
 def stylise(points: np.ndarray, places: Places, style: Style) -> np.ndarray:
-    """Maps points, (n, 3)."""
     eye_line = places.eyes[:, 1].mean()
     apart = np.linalg.norm(places.eyes[0] - places.eyes[1])
     out = points.copy()
@@ -86,11 +88,11 @@ def stylise(points: np.ndarray, places: Places, style: Style) -> np.ndarray:
     out = out + grown
     out = out - style.nose * (out - places.nose) * _bell(out, places.nose, apart * NOSE_SIZE)
     out = out - style.mouth * (out - places.mouth) * MOUTH_ALONG * _bell(out, places.mouth, apart * MOUTH_SIZE)
-    # The skull widens upwards from the chin, and rises above the eyes.
+    # The head gets wider from the chin upwards.
     height = (out[:, 1] - places.chin) / (eye_line - places.chin)
     wide = 1 + style.skull * _step(height, 0.4, 1.6) - style.jaw * (1 - _step(height, -0.3, 0.9))
     wide *= 1 - style.neck * (1 - _step(height, -0.8, 0.1))
-    # Scales around the neck's axis in z, and around the middle plane in x.
+    # Scales x around the plane of symmetry, and z around the neck's axis. Above the eyes, the skull also grows upwards.
     axis = places.neck[2]
     out[:, 0] = places.mouth[0] + (out[:, 0] - places.mouth[0]) * wide
     deep = 1 + style.skull * _step(height, 0.7, 2) - style.neck * (1 - _step(height, -0.8, 0.1))
@@ -101,12 +103,12 @@ def stylise(points: np.ndarray, places: Places, style: Style) -> np.ndarray:
 
 
 def _bell(points, centre, size) -> np.ndarray:
-    """Computes a Gaussian weight. Scaling around `centre` with this weight folds the skin only if the scale is 0."""
+    """Returns a Gaussian weight: 1 at `centre`, exp(-0.5) at the distance `size`."""
     return np.exp(-((points - centre) ** 2).sum(axis=1, keepdims=True) / (2 * size**2))
 
 
 def _plateau(points, centre, size) -> np.ndarray:
-    """Weight of nearly 1 over an eyeball, so that the ball stays round."""
+    """Returns a weight that is nearly 1 over an eyeball, so that the scaled ball stays round."""
     return np.exp(-((((points - centre) ** 2).sum(axis=1, keepdims=True) / size**2) ** 2))
 
 

@@ -1,1 +1,1 @@
-"""A hand and a neck with joints and creases."""
+"""Builds a hand and a neck with joints, and draws their creases."""

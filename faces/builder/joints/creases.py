@@ -1,4 +1,4 @@
-"""Converts lines drawn on a body, in millimetres from a joint, to strokes in its texture (docs/strokes-format.md)."""
+"""Converts crease lines from coordinates on the body to strokes in the texture (docs/strokes-format.md)."""
 
 import json
 
@@ -8,12 +8,15 @@ from scipy.interpolate import PchipInterpolator
 from ..part import Part
 
 SAMPLES = 24  # points per stroke
-LEAP = 0.03  # uv; consecutive samples further apart are on opposite sides of a seam
-MIN_POINTS = 4  # points; shorter pieces of a stroke that a seam cuts are dropped
+LEAP = 0.03  # uv; if consecutive samples are further apart, a UV seam lies between them
+MIN_POINTS = 4  # minimum number of points of a stroke
 
 
 class Chart:
-    """A flattened piece of skin. `flat` (n, 2): coordinates of all vertices; `belongs` (n,): mask of its vertices."""
+    """A flattened region of the skin, in which lines are drawn.
+
+    `flat` (n, 2): coordinates in the region for all vertices. `belongs` (n,): mask of the vertices in the region.
+    """
 
     def __init__(self, part: Part, flat: np.ndarray, belongs: np.ndarray):
         self._uv = part.uv
@@ -21,7 +24,7 @@ class Chart:
         self._corners = flat[self._triangles]
 
     def uv(self, points: np.ndarray) -> np.ndarray:
-        """Converts points (n, 2) from the chart's units to uv (n, 2); nan outside the piece."""
+        """Converts points (n, 2) from the chart's coordinates to uv (n, 2). Points outside the region become nan."""
         a, b, c = (self._corners[:, k] for k in range(3))
         area = _cross(b - a, c - a)
         found = np.full((len(points), 2), np.nan)
@@ -39,7 +42,11 @@ class Chart:
         return found
 
     def stroke(self, group: str, points, width: float, depth: float, **more) -> list[dict]:
-        """Draws a smooth line through points in the chart's units, as at most one stroke. Width and depth in mm."""
+        """Draws a smooth line through `points` in the chart's coordinates. `width` and `depth` are in millimetres.
+
+        UV seams and the region's edge can cut the line. Returns a list with the longest piece as a stroke, or an empty
+        list if this piece has fewer than `MIN_POINTS` points.
+        """
         points = np.array(points, float)
         steps = np.concatenate([[0], np.cumsum(np.linalg.norm(np.diff(points, axis=0), axis=1))])
         uv = self.uv(PchipInterpolator(steps, points)(np.linspace(0, steps[-1], SAMPLES)))
@@ -53,7 +60,7 @@ class Chart:
 
 
 def document(strokes: list[dict], areas: list[dict], size: int) -> str:
-    """Formats a strokes document as JSON with one stroke or area per line."""
+    """Formats a strokes document as JSON. Each stroke and each area is on one line."""
 
     def lines(items):
         return ",\n".join("    " + json.dumps(item) for item in items)

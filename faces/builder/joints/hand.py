@@ -1,4 +1,7 @@
-"""Builds the left hand with a part of the forearm: cut out of the body, subdivided once, unwrapped and skinned."""
+"""Builds the left hand with a part of the forearm and a cuff.
+
+The hand is cut out of MakeHuman's body, subdivided once, unwrapped to a texture layout and skinned.
+"""
 
 from dataclasses import dataclass
 
@@ -11,18 +14,18 @@ from ..rig import Rig, read_rig, strongest, unit
 from ..source import Mesh, Wheel
 from ..subdivide import catmull_clark, vertex_normals
 
-FINGERS = range(1, 6)  # the thumb is 1
+FINGERS = range(1, 6)  # 1 is the thumb
 JOINTS = ["lowerarm01.L", "lowerarm02.L", "wrist.L", *[f"metacarpal{k}.L" for k in range(1, 5)]] + [
     f"finger{finger}-{k}.L" for finger in FINGERS for k in (1, 2, 3)
 ]
-ARM_RINGS = 6  # rings of quads of the forearm that are skin
-CUFF_RINGS = 9  # rings that the cuff follows
-CUFF_COVERS = 3  # rings of skin hidden by the cuff
-EASE, HEM = 2.2e-3, 3.0e-3  # metres from the skin to the cuff, and depth of its hem
-NAIL_MIDDLE = 0.72  # fraction of the way from the last joint to the tip
-NAIL_QUADS = 0.25  # minimum size of a nail's quads, as a fraction of the middle quad's
-MARGIN = 0.012  # uv
-STRIP = (0.015, 0.015, 0.505, 0.290)  # u0, v0, u1, v1 of the forearm, beside the hand
+ARM_RINGS = 6  # number of rings of quads, counted from the hand up the forearm, that belong to the skin
+CUFF_RINGS = 9  # number of rings from the hand to the end of the cuff
+CUFF_COVERS = 3  # number of rings of skin under the cuff
+EASE, HEM = 2.2e-3, 3.0e-3  # distance from the skin to the cuff, and depth of the cuff's hem, metres
+NAIL_MIDDLE = 0.72  # position of a nail's middle, as a fraction of the way from the last joint to the finger tip
+NAIL_QUADS = 0.25  # minimum size of a nail's quads, relative to the quad in its middle
+MARGIN = 0.012  # margin around the hand in the texture, uv
+STRIP = (0.015, 0.015, 0.505, 0.290)  # rectangle of the forearm in the texture: u0, v0, u1, v1
 
 
 @dataclass
@@ -30,10 +33,10 @@ class Hand:
     rig: Rig
     part: Part
     cuff: Part
-    weights: np.ndarray  # (n, j) by vertex of the part
-    inner: np.ndarray  # (n,) cosine between skin normal and bend direction: 1 palm, -1 back
+    weights: np.ndarray  # (n, j) joint weights of each vertex of `part`
+    inner: np.ndarray  # (n,) cosine between the normal and the bend direction: 1 on the palm, -1 on the back
     nails: np.ndarray  # (q, 4, 2) uv of the nails' quads
-    nail_way: np.ndarray  # (n,) position along a nail: 0 root, 1 free edge
+    nail_way: np.ndarray  # (n,) position along the nail: 0 at its root, 1 at its free edge
 
 
 def build_hand(wheel: Wheel, mesh: Mesh, shapes: dict[str, float]) -> Hand:
@@ -69,7 +72,10 @@ def build_hand(wheel: Wheel, mesh: Mesh, shapes: dict[str, float]) -> Hand:
 
 
 def palm_frame(rig: Rig) -> np.ndarray:
-    """Returns a (3, 3) frame with columns towards the little finger, towards the fingers, and out of the palm."""
+    """Returns the axes of the palm as the columns of a (3, 3) matrix.
+
+    x points towards the little finger, y towards the finger tips, and z out of the palm.
+    """
     wrist = rig.at("wrist.L")
     z = unit(np.cross(rig.at("finger5-1.L") - wrist, rig.at("finger2-1.L") - wrist))
     y = unit(rig.at("finger3-1.L") - wrist)
@@ -77,12 +83,13 @@ def palm_frame(rig: Rig) -> np.ndarray:
 
 
 class Inwards:
-    """Bend directions of joints: fingers towards the palm, the thumb across the palm."""
+    """Maps the name of a joint to its bend direction. Fingers bend towards the palm, and the thumb bends across it."""
 
     def __init__(self, wheel: Wheel, mesh: Mesh, base: np.ndarray):
-        still = read_rig(wheel, mesh, base, JOINTS, lambda name: np.array([-1.0, 0.0, 0.0]))  # arbitrary frames
+        # This rig gets an arbitrary bend direction, because only its positions and bone directions are used.
+        still = read_rig(wheel, mesh, base, JOINTS, lambda name: np.array([-1.0, 0.0, 0.0]))
         self.palm = palm_frame(still)[:, 2]
-        # The thumb's slight bend at rest gives its axis.
+        # The thumb is slightly bent at rest. The cross products of its bones give its axis of rotation.
         along = [still.frames[JOINTS.index(f"finger1-{k}.L")][:, 1] for k in (1, 2, 3)]
         axis = unit(unit(np.cross(along[0], along[1])) + unit(np.cross(along[1], along[2])))
         self.thumb = [np.cross(axis, y) for y in along]
@@ -92,7 +99,7 @@ class Inwards:
 
 
 def _hand_island(mesh: Mesh) -> np.ndarray:
-    """Finds the quads of the body in the left hand's UV island of MakeHuman's layout, starting from a finger tip."""
+    """Returns the indices of the quads of the left hand: the UV island of MakeHuman's layout that has a finger tip."""
     body = np.flatnonzero(mesh.groups == "body")
     island = islands(mesh, body)
     tip = mesh.positions[np.unique(mesh.quads[mesh.groups == "joint-l-finger-3-4"])].mean(axis=0)
@@ -101,7 +108,7 @@ def _hand_island(mesh: Mesh) -> np.ndarray:
 
 
 def _arm_rings(mesh: Mesh, island: np.ndarray) -> list[np.ndarray]:
-    """Collects rings of quads up the arm from the edge of the hand."""
+    """Collects rings of quads around the arm, from the edge of the hand upwards."""
     body = np.flatnonzero(mesh.groups == "body")
     taken = np.isin(body, island)
     rings = []
@@ -113,7 +120,10 @@ def _arm_rings(mesh: Mesh, island: np.ndarray) -> list[np.ndarray]:
 
 
 def _layout(mesh: Mesh, island: np.ndarray, rings: list[np.ndarray], base: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Lays out MakeHuman's UV island of the hand, larger, and the forearm as a strip. Returns uv, v down, and quads."""
+    """Creates the texture layout: MakeHuman's UV island of the hand, enlarged, and the forearm as a strip.
+
+    Returns uv (n, 2), v down, and quads (f, 4) of indices into uv.
+    """
     used, hand = np.unique(mesh.uv_quads[island], return_inverse=True)
     source = mesh.uv[used] * [1, -1]
     low, high = source.min(axis=0), source.max(axis=0)
@@ -123,7 +133,7 @@ def _layout(mesh: Mesh, island: np.ndarray, rings: list[np.ndarray], base: np.nd
     loops = [max(borders(mesh.quads[island]), key=len)]
     for ring in rings:
         loops.append(_next_loop(loops[-1], ring))
-    # Goes around from the seam on the little finger's side.
+    # Each loop around the arm starts and ends at the UV seam, which is on the side of the little finger.
     seam = np.argmin(base[loops[0], 1] - base[loops[0], 0] + base[loops[0], 2])
     grid = np.array([np.append(np.roll(loop, -seam), loop[seam]) for loop in loops])
     around = np.linalg.norm(np.diff(base[grid], axis=1), axis=2).mean(axis=0)
@@ -151,7 +161,7 @@ def _layout(mesh: Mesh, island: np.ndarray, rings: list[np.ndarray], base: np.nd
 
 
 def _next_loop(loop: np.ndarray, ring: np.ndarray) -> np.ndarray:
-    """Returns the vertices on the other side of a ring of quads, in the order of `loop`."""
+    """Returns one border of a ring of quads. `loop` is the other border. Vertices of both have matching indices."""
     across = {}
     for quad in ring:
         for a, b in zip(quad, np.roll(quad, -1), strict=True):
@@ -167,9 +177,10 @@ def _turns(uv: np.ndarray, quads: np.ndarray) -> bool:
 
 
 def _nails(rig: Rig, base: np.ndarray, quads: np.ndarray) -> list[np.ndarray]:
-    """Finds the quads of each nail, grown from its middle while quads are wide and face the same way.
+    """Finds the quads of each nail.
 
-    The groove around a nail has narrow quads, and the edge of the tip faces another way.
+    Starts with the quad in the nail's middle, and adds adjacent quads that are wide and have similar normals. The
+    groove around a nail has narrow quads, and the normals at the finger tip differ.
     """
     corners = base[quads]
     centre = corners.mean(axis=1)
@@ -198,7 +209,7 @@ def _nails(rig: Rig, base: np.ndarray, quads: np.ndarray) -> list[np.ndarray]:
 
 
 def _cuff(rig: Rig, base: np.ndarray, rings: list[np.ndarray]) -> Part:
-    """Builds the end of a sleeve over the end of the forearm, with a hem turned in to the skin."""
+    """Builds a cuff around the end of the forearm. Its hem is folded inwards to the skin."""
     quads = np.concatenate(rings)
     used, index = np.unique(quads, return_inverse=True)
     matrix, fine = catmull_clark(index.reshape(-1, 4), len(used))

@@ -1,4 +1,4 @@
-"""Creases of a hand, drawn by eye: across the finger joints, and in the palm."""
+"""Draws the creases of the hand as strokes: across the finger joints, and in the palm. They were designed by eye."""
 
 import numpy as np
 
@@ -6,9 +6,10 @@ from .creases import Chart, document
 from .hand import FINGERS, Hand, palm_frame
 
 NAMES = {1: "thumb", 2: "index", 3: "middle", 4: "ring", 5: "little"}
-MAP_SIZE = 2048  # pixels, for lines of 1 mm
+MAP_SIZE = 2048  # width and height of the normal map, pixels; enough for lines of 1 mm
 
-# Palm frame, millimetres: x towards the little finger, y towards the fingers. Points, width and depth.
+# Lines of the palm by area: points, width and depth, in millimetres. Points are in the frame of `palm_frame`, with the
+# origin at the wrist.
 PALM = {
     "palm": [
         ([(47, 77), (30, 79), (12, 86), (-3, 98), (-10, 110)], 3.0, 1.5),  # distal transverse
@@ -24,13 +25,15 @@ PALM = {
         ([(-30, 64), (-20, 52), (-15, 38)], 1.4, 0.35),
     ],
 }
-# Across the inside of a finger, by joint: y beyond the joint, bow towards the tip, width, depth; millimetres.
+# Lines across the inside of a finger, by number of the joint. A line is an arc. Its values are in millimetres: position
+# of both ends, position of the middle relative to the ends, width and depth. Positions are along the finger, from the
+# joint towards the tip.
 FLEXION = {
     1: [(15.5, -1.0, 2.1, 0.80), (18.0, -0.5, 1.4, 0.40)],
     2: [(-1.0, -0.8, 2.1, 0.85), (1.6, 0.6, 1.8, 0.60)],
     3: [(-1.2, -0.6, 2.0, 0.80), (0.8, 0.4, 1.2, 0.35)],
 }
-# Across the back of a finger, smoothed by bending.
+# Lines across the back of a finger, in the same format. Bending smooths them.
 EXTENSION = {
     2: [
         (-3.6, -1.6, 1.3, 0.24),
@@ -41,8 +44,8 @@ EXTENSION = {
     ],
     3: [(-1.2, -0.5, 1.1, 0.20), (0.2, 0.0, 1.2, 0.24), (1.6, 0.5, 1.1, 0.18)],
 }
-REACH = 11.0  # length of a crease to either side, millimetres: more than half a finger's width
-BACK_WIDTH = 0.55  # fraction of half the finger's width
+REACH = 11.0  # half the length of a crease on the inside, millimetres. The crease is longer than the finger is wide.
+BACK_WIDTH = 0.55  # length of a crease on the back, as a fraction of the finger's width
 
 
 def hand_strokes(hand: Hand) -> str:
@@ -77,7 +80,7 @@ def _finger(hand: Hand, finger: int) -> list[dict]:
         on_finger = _finger_weight(hand, finger, max(1, k - 1)) > 0.4
         inside = Chart(hand.part, flat, on_finger & (hand.inner > 0.0))
         back = Chart(hand.part, flat, on_finger & (hand.inner < -0.1))
-        # The thumb's first joints are in the ball of the thumb; the palm has its creases.
+        # The first two joints of the thumb get no lines. They are in the ball of the thumb, where the palm has lines.
         for y, bow, width, depth in FLEXION[k] if finger > 1 or k > 2 else []:
             strokes += inside.stroke(
                 NAMES[finger], _arc(y, bow, REACH), width, depth, taper=0.25, softness=0.3, waviness=0.25
@@ -95,7 +98,7 @@ def _arc(y: float, bow: float, reach: float) -> list[tuple[float, float]]:
 
 
 def _finger_weight(hand: Hand, finger: int, first: int) -> np.ndarray:
-    """Sums the weights of a finger's joints from `first` on, (n,)."""
+    """Returns, for each vertex (n,), the sum of the weights of a finger's joints from `first` to the last joint."""
     return hand.weights[:, [hand.rig.names.index(f"finger{finger}-{k}.L") for k in range(first, 4)]].sum(axis=1)
 
 

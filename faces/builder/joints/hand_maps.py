@@ -1,4 +1,4 @@
-"""Paints the hand's maps: colour, fine relief, roughness with occlusion. Colours are sRGB, 0..1."""
+"""Paints the texture maps of the hand: base colour, normals, and roughness with occlusion. Colours are sRGB, 0..1."""
 
 import numpy as np
 from PIL import Image, ImageDraw
@@ -11,7 +11,7 @@ from .hand import FINGERS, Hand
 
 
 class HandFields(Fields):
-    """Masks of the hand's regions in its texture layout, placed by the joints."""
+    """Masks of the hand's regions over its texture. Their positions follow from the joints."""
 
     def __init__(self, hand: Hand, atlas: Atlas, seed: int):
         super().__init__(atlas, hand.part.positions, seed)
@@ -55,7 +55,7 @@ class HandFields(Fields):
         )
 
     def _filled(self, quads: np.ndarray) -> np.ndarray:
-        """Returns 1 inside uv quads (q, 4, 2), with round corners and a soft edge."""
+        """Returns a mask that is 1 inside the quads (q, 4, 2) in uv. Its edge is soft and its corners are round."""
         scale = 2
         image = Image.new("L", (self.size * scale, self.size * scale), 0)
         draw = ImageDraw.Draw(image)
@@ -65,7 +65,7 @@ class HandFields(Fields):
 
 
 def paint_hand(fields: HandFields, occlusion: np.ndarray, look: dict) -> np.ndarray:
-    """Paints colour layers from the flesh outwards, (size, size, 3)."""
+    """Paints the base colour, (size, size, 3): first the skin with blood and freckles, then the nails."""
     rough, noise, palm = fields.rough, fields.noise, fields.palm
     skin = mottled(fields, look)
     skin = lay(skin, np.array(look["palm"]), 0.75 * palm)
@@ -88,16 +88,17 @@ def paint_hand(fields: HandFields, occlusion: np.ndarray, look: dict) -> np.ndar
 
 
 def paint_hand_relief(fields: HandFields, depth: float) -> np.ndarray:
-    """Paints normals (size, size, 3), 0..1: a fine net on the back, weaker on the palm, none on nails."""
+    """Paints a normal map (size, size, 3), 0..1, of fine furrows. They are weaker on the palm, and nails have none."""
     net = -np.clip(-fields.noise(0.0009, 61) - 0.1, 0, 2) + 0.5 * fields.noise(0.0017, 62)
     height = gaussian_filter(net * (1 - 0.72 * fields.palm), 0.8)
     return relief(height * (1 - np.clip(gaussian_filter(fields.nails, 1.5) * 1.3, 0, 1)), depth, fields.near)
 
 
 def paint_pressed(fields: HandFields) -> tuple[np.ndarray, np.ndarray]:
-    """Paints two gray images for the white knuckles of a fist: a blood map, and a wider area of influence around it.
+    """Paints two gray images (size, size), 0..1, for the white knuckles of a fist.
 
-    The blood map fades at the edge of each knuckle. The area is constant there, so its own edge is not visible.
+    Returns a blood map, which fades out around each knuckle, and the map of an area of influence (0 = full influence).
+    The influence is three times as strong as the white of the blood map, at most 1.
     """
     blood = (128 - 127 * fields.heads) / 255
     area = 1 - np.clip(3 * fields.heads, 0, 1)
@@ -105,7 +106,7 @@ def paint_pressed(fields: HandFields) -> tuple[np.ndarray, np.ndarray]:
 
 
 def paint_hand_surface(fields: HandFields, occlusion: np.ndarray, look: dict) -> np.ndarray:
-    """Packs occlusion in red, roughness in green and zero metalness in blue, as in glTF."""
+    """Paints the map of occlusion (red), roughness (green) and metalness (blue, 0), packed as in glTF."""
     rough = look["roughness"] + 0.03 * fields.palm + 0.025 * fields.rough(0.004, 71) + 0.03 * fields.noise(0.0008, 74)
     rough = rough * (1 - fields.nails) + 0.34 * fields.nails
     packed = np.stack([occlusion, np.clip(rough, 0.2, 1), np.zeros_like(rough)], axis=2)

@@ -1,4 +1,4 @@
-"""Builds a head that turns on its neck: the first face without blendshapes, skinned to joints."""
+"""Builds a head that turns on its neck. It is the head of human.glb without blendshapes, skinned to joints."""
 
 from dataclasses import dataclass
 
@@ -13,7 +13,9 @@ from ..source import Mesh, Wheel
 
 JOINTS = ["spine01", "neck01", "neck02", "neck03", "head"]
 
-# Maps v of the neck's layout to v of the face's layout: the neck grows from a strip to the lower third.
+# The neck model uses the face's texture layout, with one change: its neck fills the lower third of the texture, not
+# only a strip.
+# `ROWS` maps v of the neck model's layout to v of the face's layout, and `ROWS_BACK` roughly inverts it.
 ROWS = PchipInterpolator([0, 0.31, 0.58, 0.71, 1], [0, 0.40, 0.75, 0.85, 1])
 ROWS_BACK = PchipInterpolator([0, 0.40, 0.75, 0.85, 1], [0, 0.31, 0.58, 0.71, 1])
 
@@ -23,7 +25,7 @@ class Neck:
     rig: Rig
     head: Head
     skin: Part  # uses the face's texture layout until `spread_out` is called
-    vertices: np.ndarray  # (n,) index of the subdivided head's vertex for each vertex of the skin
+    vertices: np.ndarray  # (n,) for each vertex of the skin, its index in the subdivided head
 
 
 def build_neck(wheel: Wheel, mesh: Mesh, shapes: dict[str, float], rest: dict[str, float]) -> Neck:
@@ -41,7 +43,7 @@ def without_targets(part: Part) -> Part:
 
 
 def follow_body(part: Part, neck: Neck, mesh: Mesh) -> None:
-    """Skins a part with the weights of the nearby body."""
+    """Skins a part. Its joint weights are interpolated from the nearest vertices of the body."""
     body = np.unique(mesh.quads[mesh.groups == "body"])
     gap, nearest = cKDTree(neck.head.base[body]).query(part.positions, k=4)
     nearness = 1 / (gap + 1e-4)
@@ -52,12 +54,12 @@ def follow_body(part: Part, neck: Neck, mesh: Mesh) -> None:
 
 
 def spread_out(skin: Part) -> None:
-    """Converts the skin's uv from the face's to the neck's layout."""
+    """Converts the skin's uv from the face's texture layout to the layout with the larger neck."""
     skin.uv = np.stack([skin.uv[:, 0], np.round(_solved(skin.uv[:, 1]), 7)], axis=1)
 
 
 def spread_map(image: np.ndarray) -> np.ndarray:
-    """Resamples a map from the face's to the neck's layout."""
+    """Resamples a map from the face's texture layout to the layout with the larger neck."""
     size = len(image)
     rows = np.clip(ROWS((np.arange(size) + 0.5) / size) * size - 0.5, 0, size - 1)
     low = np.minimum(rows.astype(int), size - 2)

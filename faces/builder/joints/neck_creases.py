@@ -1,4 +1,4 @@
-"""Creases of a neck: slanted along the sternomastoid for turns of the head, in front for nods."""
+"""Draws the creases of the neck as strokes: on both sides for turns of the head, and in front for nods."""
 
 import numpy as np
 
@@ -7,10 +7,11 @@ from .neck import Neck
 
 AXIS = 0.030  # z of the neck's axis, metres
 TOP = 0.735  # maximum height of the neck, metres
-MAP_SIZE = 1024  # pixels
+MAP_SIZE = 1024  # width and height of the normal map, pixels
 
-# Points: degrees from the middle of the throat to the person's left, and height in millimetres; then width and depth.
-# Turning left shortens the skin of the left side across these lines.
+# Each line has points, a width and a depth, both in millimetres. A point is an angle around the neck, in degrees, and a
+# height in millimetres. The angle is 0 at the middle of the throat, and increases towards the person's left. If the
+# head turns left, the skin folds along the lines in `SIDE`. The lines of the right side are their mirror images.
 SIDE = [
     ([(14, 650), (27, 660), (41, 674), (52, 689)], 3.2, 0.9),
     ([(24, 647), (38, 657), (53, 672), (66, 691)], 3.6, 1.2),

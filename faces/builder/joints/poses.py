@@ -1,12 +1,12 @@
-"""Poses and clips: the fist of a hand, the turn and the nod of a head.
+"""Creates the animation clips: the hand closes to a fist, and the head turns and nods.
 
-Angles are in degrees, chosen by eye to keep the fingers from intersecting.
+Angles are in degrees. They were chosen by eye, so that the fingers do not intersect.
 """
 
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-# Rotations by joint about x (positive towards the palm), y (along the bone) and z.
+# Rotations of each joint about its x (positive towards the palm), y (along the bone) and z axis.
 FIST = {
     "finger2-1.L": (76, 17, -5),
     "finger2-2.L": (92, 0, 0),
@@ -24,19 +24,19 @@ FIST = {
     "finger1-2.L": (38, 0, 0),
     "finger1-3.L": (58, 0, 0),
 }
-# Total angles are 60 degrees for a turn and 26 for a nod, shared by the neck's joints.
+# The angles of the joints sum to 60 degrees for a turn and to 26 degrees for a nod.
 TURN = {"neck01": (0, 11, 0), "neck02": (0, 15, 0), "neck03": (0, 17, 0), "head": (0, 17, 0)}
 NOD = {"neck01": (4, 0, 0), "neck02": (6, 0, 0), "neck03": (7, 0, 0), "head": (9, 0, 0)}
 STEP = 0.1  # seconds between key frames
 
 
 def hand_clip() -> tuple[np.ndarray, dict[str, np.ndarray]]:
-    """Returns the fist's clip. The thumb closes after the fingers."""
+    """Returns the clip `fist`. The thumb closes after the fingers."""
     return clip(FIST, 1.4, 0.6, lambda joint, t: 1.6 * t - 0.6 if joint.startswith("finger1-") else 1.25 * t)
 
 
 def neck_clips() -> dict[str, tuple[np.ndarray, dict[str, np.ndarray]]]:
-    """Returns the clips `turn` (left and back, right and back) and `nod` (down and back)."""
+    """Returns two clips. In `turn`, the head turns left and back, then right and back. In `nod`, it nods once."""
     seconds, left = clip(TURN, 1.2, 0.4)
     right = clip({joint: (0, -angles[1], 0) for joint, angles in TURN.items()}, 1.2, 0.4)[1]
     both = {joint: np.concatenate([left[joint], right[joint][1:]]) for joint in TURN}
@@ -46,10 +46,12 @@ def neck_clips() -> dict[str, tuple[np.ndarray, dict[str, np.ndarray]]]:
 def clip(
     pose: dict, closing: float, held: float, progress=lambda joint, t: t
 ) -> tuple[np.ndarray, dict[str, np.ndarray]]:
-    """Animates from rest to a pose and back. Returns times (t,) in seconds, and rotations (t, 3, 3) by joint.
+    """Animates from rest to a pose and back. Returns times (t,) in seconds, and rotations (t, 3, 3) by joint name.
 
-    `progress(joint, t)` maps the progress t of the clip to the progress of a joint, both 0..1. The motion is eased at
-    both ends.
+    The motion to the pose takes `closing` seconds. The pose is held for `held` seconds. The motion back takes `closing`
+    seconds.
+    `progress(joint, t)` maps the progress `t` of the motion, 0..1, to the progress of a joint. The result is clamped to
+    0..1 and eased at both ends.
     """
     seconds = np.arange(round((2 * closing + held) / STEP) + 1) * STEP
     way = np.clip(np.minimum(seconds, 2 * closing + held - seconds) / closing, 0, 1)
@@ -62,6 +64,6 @@ def clip(
 
 
 def turn(angles) -> np.ndarray:
-    """Returns the (3, 3) rotation in the joint's frame: about x, then z, then y."""
+    """Returns the rotation matrix (3, 3) for rotations about the fixed x axis first, then about z, then about y."""
     x, y, z = angles
     return Rotation.from_euler("YZX", [y, z, x], degrees=True).as_matrix()

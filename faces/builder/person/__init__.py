@@ -1,1 +1,1 @@
-"""A person: skin of the head, eyes, mouth, hair and clothes."""
+"""Builds the head of a person: skin, eyes, mouth, hair and a shirt."""

@@ -1,4 +1,4 @@
-"""Eyebrows: hairs painted on the skin, and on a shell just above the skin."""
+"""Draws the hairs of the eyebrows, on the skin and on a transparent shell just above the skin."""
 
 import io
 
@@ -8,22 +8,22 @@ from PIL import Image, ImageDraw
 from ..part import Part
 from .landmarks import BROW_BOTTOM, BROW_TOP
 
-# Part of the layout with the person's left brow; the right brow mirrors it.
-BOX = (0.505, 0.375, 0.68, 0.505)  # u0, v0, u1, v1
-SHELL = (
-    1024,
-    512,
-)  # pixels of one brow as drawn; the finished map has both brows side by side, right first, at half this height
-HEIGHT = 0.5e-3  # metres from the skin to the shell
+# Rectangle of the person's left brow in the skin's texture: u0, v0, u1, v1. The right brow has the mirrored rectangle.
+BOX = (0.505, 0.375, 0.68, 0.505)
+# Width and height of the drawing of one brow, pixels. The shell's texture shows the right brow beside the left brow,
+# both at half this width and height.
+SHELL = (1024, 512)
+HEIGHT = 0.5e-3  # distance from the skin to the shell, metres
 
 
 def strokes(look: dict, side: str, seed: int) -> list[np.ndarray]:
-    """Draws hairs as polylines in uv."""
+    """Returns the hairs of one brow as polylines (5, 2) in the skin's uv."""
     random = np.random.default_rng([seed, side == "left"])
     top, bottom = np.array(BROW_TOP), np.array(BROW_BOTTOM)
     hairs = []
     for _ in range(look["brow_hairs"]):
-        along = 0.93 * random.beta(1.15, 1.3)  # inner end 0, tail 1
+        # Position of the root along the brow: 0 at its inner end, 1 at its outer end.
+        along = 0.93 * random.beta(1.15, 1.3)
         across = random.beta(1.6, 1.5)
         sparse = 0.35 + 0.65 * np.clip(along * 7, 0, 1)
         sparse *= np.interp(along, [0, 0.7, 1], [1, 1, 0.45])
@@ -35,7 +35,8 @@ def strokes(look: dict, side: str, seed: int) -> list[np.ndarray]:
         ahead = _point_at(bottom, min(along + 0.05, 1)) + _point_at(top, min(along + 0.05, 1)) - low - high
         ahead /= np.linalg.norm(ahead) + 1e-9
         up = (high - low) / (np.linalg.norm(high - low) + 1e-9)
-        # Hairs point up at the inner end and along the brow further out. Upper hairs lean down, lower ones up.
+        # Hairs at the inner end of the brow point up, and those further out point along it. Hairs near the upper edge
+        # lean down, and those near the lower edge lean up.
         lean = (
             np.interp(along, [0, 0.15, 0.45, 1], [1.5, 0.9, 0.35, 0.0]) + 0.55 * (0.5 - across) + random.normal(0, 0.16)
         )
@@ -54,7 +55,7 @@ def strokes(look: dict, side: str, seed: int) -> list[np.ndarray]:
 
 
 def _point_at(line: np.ndarray, t: float) -> np.ndarray:
-    """Returns the point at fraction t of a polyline's segments, (n, 2)."""
+    """Returns the point (2,) of a polyline (n, 2) at the fraction `t` of its segments."""
     grid = np.linspace(0, 1, len(line))
     return np.array([np.interp(t, grid, line[:, k]) for k in (0, 1)])
 
@@ -77,17 +78,17 @@ def shell_map(look: dict) -> tuple[str, bytes]:
         sheet.paste(drawn.resize((width, height), Image.Resampling.BOX), (left, 0))
     alpha = np.asarray(sheet.resize((width, height // 2), Image.Resampling.LANCZOS))
     pixels = np.empty((*alpha.shape, 4), np.uint8)
-    pixels[..., :3] = np.round(
-        np.array(look["brow"]) * 255
-    )  # transparent pixels have the same colour, because filtering would mix in any other
-    pixels[..., 3] = np.round(alpha / 8.5) * 8.5  # 31 levels, which compress well
+    # Transparent pixels have the hairs' colour too, because texture filtering mixes them in.
+    pixels[..., :3] = np.round(np.array(look["brow"]) * 255)
+    # Rounds alpha to 31 levels, which compress well.
+    pixels[..., 3] = np.round(alpha / 8.5) * 8.5
     out = io.BytesIO()
     Image.fromarray(pixels).save(out, "PNG", optimize=True)
     return "image/png", out.getvalue()
 
 
 def brow_part(skin: Part) -> Part:
-    """Copies and lifts the skin around the brows, with the targets that move it."""
+    """Builds the shell: a copy of the skin around both brows, lifted by `HEIGHT`, with the targets that move it."""
     u0, v0, u1, v1 = BOX
     chosen, uv = [], np.zeros_like(skin.uv)
     for side, left in (("right", 0.0), ("left", 0.5)):
@@ -108,7 +109,7 @@ def brow_part(skin: Part) -> Part:
 
 
 def _draw(hairs, box, pixels, thickness) -> Image.Image:
-    """Draws tapering hairs, in pieces of decreasing width."""
+    """Draws hairs into a gray image. The segments of each hair get thinner towards its tip."""
     u0, v0, u1, v1 = box
     image = Image.new("L", pixels)
     draw = ImageDraw.Draw(image)

@@ -1,4 +1,8 @@
-"""Paints the eyeball (iris, pupil, white, veins). The map's radius is the angle from the front pole."""
+"""Paints the texture of the eyeball: white, veins, iris and pupil.
+
+The image's middle is the front of the eyeball. The distance from the middle is proportional to the angle at the
+eyeball's centre.
+"""
 
 import numpy as np
 from PIL import Image, ImageDraw
@@ -13,9 +17,9 @@ def paint_eye(look: dict, limbus: float, size=512) -> np.ndarray:
     x, y = (x + 0.5) / size * 2 - 1, (y + 0.5) / size * 2 - 1
     tilt = np.hypot(x, y) * REACH
     turn = np.arctan2(y, x)
-    r = tilt / limbus  # 1 at the iris's edge
+    r = tilt / limbus  # 1 at the edge of the iris
 
-    # White: warm, redder towards the corners, with veins.
+    # The white gets redder towards the corners of the eye, and has veins.
     white = np.ones((size, size, 3)) * look["eye_white"]
     red = np.clip((tilt - limbus) / np.radians(55), 0, 1) * np.abs(np.cos(turn)) ** 1.5
     white += (np.array([0.62, 0.36, 0.31]) - white) * (0.60 * red)[..., None]
@@ -35,7 +39,7 @@ def paint_eye(look: dict, limbus: float, size=512) -> np.ndarray:
     veins = gaussian_filter(np.asarray(veins.reduce(2), float) / 255, 0.6)
     white += (np.array([0.62, 0.16, 0.12]) - white) * (0.55 * veins)[..., None]
 
-    # Iris: radial fibres, a lighter collar around the pupil, a dark ring at the edge.
+    # The iris has radial fibres, a lighter ring around the pupil, and a dark ring at its edge.
     waves = (
         sum(
             np.sin(turn * n + random.uniform(0, 6.3) + 1.5 * np.sin(3 * r + random.uniform(0, 6.3))) * a
@@ -48,11 +52,11 @@ def paint_eye(look: dict, limbus: float, size=512) -> np.ndarray:
     inner = np.exp(-(((r - 0.46) / 0.17) ** 2))[..., None]
     iris += (np.array(look["iris_inner"]) - iris) * 0.75 * inner
     iris *= (1 + 0.20 * waves + 0.07 * blotch)[..., None]
-    iris *= (1.12 - 0.30 * np.clip((-y / (limbus / REACH)) + 0.1, -1, 1) * 0.9)[
-        ..., None
-    ]  # lit from below, shaded by the lid
+    # The upper lid shades the upper part of the iris.
+    iris *= (1.12 - 0.30 * np.clip((-y / (limbus / REACH)) + 0.1, -1, 1) * 0.9)[..., None]
     iris *= (1 - 0.78 * _step(r, 0.80, 1.0))[..., None]
-    iris *= (1 - _step(-r, -0.385, -0.345))[..., None]  # pupil
+    # The pupil is black.
+    iris *= (1 - _step(-r, -0.385, -0.345))[..., None]
     blend = _step(r, 0.93, 1.06)[..., None]
     eye = iris * (1 - blend) + white * blend
     return np.clip(eye, 0, 1)

@@ -1,4 +1,4 @@
-"""Eyeballs with a cornea, and the lids' soft shade on them."""
+"""Builds the eyeballs, each with a cornea, and transparent bands on the eyeballs that imitate the lids' shadow."""
 
 from dataclasses import dataclass
 
@@ -8,12 +8,14 @@ from ..part import Part
 from ..source import Mesh
 from .head import Head
 
-# Offset from the centre of MakeHuman's flattened helper eye to the centre of a sphere that touches the lids.
-OFFSET = np.array([0.0, -0.9e-3, 0.6e-3])  # metres
-BITE = 0.35e-3  # metres that the ball overlaps the nearest lid rim, so that no gap remains at the far corner
-IRIS_RADIUS = 5.85e-3  # an adult's iris measures 11.7 mm (Rüfer, Schröder, Erb 2005)
-CORNEA_RISE = 1.1e-3  # metres that the cornea rises above the ball
-REACH = np.radians(110)  # from the front pole; the rest of the ball is never visible
+# Offset in metres from the centre of MakeHuman's helper eye, which is flattened, to the centre of a sphere that touches
+# the lids.
+OFFSET = np.array([0.0, -0.9e-3, 0.6e-3])
+# Depth in metres of the innermost point of the lids' edge inside the eyeball. It closes gaps at the corners of the eye.
+BITE = 0.35e-3
+IRIS_RADIUS = 5.85e-3  # metres; an adult's iris has a diameter of 11.7 mm (Rüfer, Schröder, Erb 2005)
+CORNEA_RISE = 1.1e-3  # height of the cornea above the sphere, metres
+REACH = np.radians(110)  # angle from the front pole to the end of the mesh; the rest is never visible
 RINGS, SPOKES = 21, 36
 
 
@@ -21,13 +23,13 @@ RINGS, SPOKES = 21, 36
 class Ball:
     centre: np.ndarray
     radius: float
-    limbus: float  # radians from the front pole to the edge of the iris
+    limbus: float  # angle from the front pole to the edge of the iris, radians
 
 
 def ball_of(head: Head, mesh: Mesh, side: str) -> Ball:
     helper = np.unique(mesh.quads[mesh.groups == ("helper-l-eye" if side == "left" else "helper-r-eye")])
     points = head.base[helper]
-    # Least squares sphere: |p|^2 = 2 p.c + (r^2 - |c|^2)
+    # Fits a sphere with centre c and radius r by least squares: dot(p, p) = 2 * dot(p, c) + r**2 - dot(c, c).
     system = np.c_[2 * points, np.ones(len(points))]
     centre = np.linalg.lstsq(system, (points**2).sum(axis=1), rcond=None)[0][:3] + OFFSET
     radius = np.linalg.norm(head.positions[lid_rim(head, side)] - centre, axis=1).min() + BITE
@@ -35,7 +37,7 @@ def ball_of(head: Head, mesh: Mesh, side: str) -> Ball:
 
 
 def lid_rim(head: Head, side: str) -> np.ndarray:
-    """Returns the vertices shared by skin and eye socket, counter-clockwise from outside."""
+    """Returns the vertices on the edge of the lids, counter-clockwise from outside. Skin and eye socket share them."""
     skin = np.unique(head.fine_quads[head.region == "skin"])
     socket = np.unique(head.fine_quads[head.region == f"socket-{side}"])
     rim = np.intersect1d(skin, socket)
@@ -45,13 +47,13 @@ def lid_rim(head: Head, side: str) -> np.ndarray:
 
 
 def _rise(tilt: np.ndarray, ball: Ball) -> np.ndarray:
-    """Returns the cornea's height above the ball, metres, by angle from the front pole."""
+    """Returns the height of the cornea above the sphere in metres. `tilt`: angles from the front pole, radians."""
     return CORNEA_RISE * np.clip(1 - (tilt / (1.08 * ball.limbus)) ** 2, 0, None) ** 1.2
 
 
 def eye_part(head: Head, mesh: Mesh, side: str) -> Part:
     ball = ball_of(head, mesh, side)
-    # Rings are denser around the iris, where cornea and ball meet.
+    # Rings are denser over the iris and its edge, where the cornea meets the sphere.
     tilt = np.concatenate(
         [
             np.linspace(0, 1.25, RINGS * 2 // 3) * ball.limbus,
@@ -72,7 +74,8 @@ def eye_part(head: Head, mesh: Mesh, side: str) -> Part:
 
     quads = np.stack([at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)], axis=1)
     triangles = np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
-    triangles = triangles[(tilts[triangles] > 0).sum(axis=1) > 1]  # without degenerate triangles at the pole
+    # Removes the degenerate triangles at the pole.
+    triangles = triangles[(tilts[triangles] > 0).sum(axis=1) > 1]
     normals = _grid_normals(local, triangles, len(tilt))
 
     targets = {}
@@ -85,7 +88,7 @@ def eye_part(head: Head, mesh: Mesh, side: str) -> Part:
 
 
 def shade_part(head: Head, mesh: Mesh) -> Part:
-    """Builds dark transparent bands that move with the lids: their shade on the eyeballs."""
+    """Builds dark transparent bands on the eyeballs. They move with the lids and imitate the lids' shadow."""
     parts = [_shade(head, ball_of(head, mesh, side), lid_rim(head, side)) for side in ("left", "right")]
     counts = np.cumsum([0] + [len(p[0]) for p in parts])
 
@@ -100,7 +103,7 @@ def shade_part(head: Head, mesh: Mesh) -> Part:
     return Part("lid-shade", "lid-shade", join(0), join(1), None, triangles, join(2), targets)
 
 
-# Distance from the lid's rim in metres, and opacity under the upper and the lower lid.
+# Rows of a band: distance from the edge of the lid in metres, opacity at the upper lid, and opacity at the lower lid.
 SHADE = [(-0.8e-3, 0.85, 0.7), (0.2e-3, 0.75, 0.5), (1.2e-3, 0.42, 0.2), (2.6e-3, 0.16, 0.05), (4.6e-3, 0.0, 0.0)]
 
 
@@ -108,13 +111,12 @@ def _shade(head: Head, ball: Ball, rim: np.ndarray):
     def band(shift):
         edge = head.positions[rim] + shift
         inward = edge.mean(axis=0) - edge
-        # On nearly closed lids the upper and the lower band end where they meet.
-        room = np.abs(inward[:, 1:2]) + 0.4e-3
-        inward[:, 0] *= (
-            0.5  # makes the bands mostly vertical, so that the shade of the corners does not darken the lids
-        )
+        # If the eye is nearly closed, the bands end where the upper band meets the lower band.
+        longest = np.abs(inward[:, 1:2]) + 0.4e-3
+        # Makes the bands nearly vertical, so that bands at the corners of the eye do not darken the lids.
+        inward[:, 0] *= 0.5
         inward /= np.linalg.norm(inward, axis=1, keepdims=True)
-        rows = np.concatenate([edge + inward * np.minimum(distance, room) for distance, _, _ in SHADE])
+        rows = np.concatenate([edge + inward * np.minimum(distance, longest) for distance, _, _ in SHADE])
         direction = rows - ball.centre
         direction /= np.linalg.norm(direction, axis=1, keepdims=True)
         tilt = np.arccos(np.clip(direction[:, 2], -1, 1))
@@ -124,7 +126,7 @@ def _shade(head: Head, ball: Ball, rim: np.ndarray):
     normals = rest / np.linalg.norm(rest, axis=1, keepdims=True)
     upper = head.positions[rim, 1] > head.positions[rim, 1].mean()
     alpha = np.concatenate([np.where(upper, up, low) for _, up, low in SHADE])
-    tint = np.array([0.10, 0.035, 0.025])  # linear; red from light through the lids
+    tint = np.array([0.10, 0.035, 0.025])  # linear; reddish, because some light shines through the lids
     colours = np.concatenate([np.tile(tint, (len(alpha), 1)), alpha[:, None]], axis=1)
     n = len(rim)
     i, j = (x.ravel() for x in np.meshgrid(np.arange(len(SHADE) - 1), np.arange(n), indexing="ij"))
@@ -152,7 +154,7 @@ def _grid_normals(points: np.ndarray, triangles: np.ndarray, rings: int) -> np.n
         [np.bincount(triangles.ravel(), np.repeat(face[:, k], 3), minlength=len(points)) for k in range(3)], 1
     )
     grid = total.reshape(rings, SPOKES + 1, 3)
-    grid[:, 0] += grid[:, -1]  # both columns of the seam coincide
+    grid[:, 0] += grid[:, -1]  # the first and the last column have the same positions
     grid[:, -1] = grid[:, 0]
     grid[0] = grid[0].sum(axis=0)
     total = grid.reshape(-1, 3)

@@ -1,4 +1,4 @@
-"""Maps of a face's skin, and all other parts."""
+"""Paints the texture maps of a face, and builds all parts except the skin."""
 
 import numpy as np
 from scipy.ndimage import gaussian_filter
@@ -21,7 +21,7 @@ STEPS = ["occlusion", "colour", "normals", "surface", "parts"]
 
 
 class Face:
-    """Builds a face in the order of `STEPS`. Calls `report(step)` at the start of each."""
+    """Builds a face. Calls `report(step)` at the start of each step, in the order of `STEPS`."""
 
     def __init__(self, head: Head, mesh: Mesh, skin: Part, vertices: np.ndarray, look: dict, report):
         self._head, self._mesh, self._skin, self._look, self._report = head, mesh, skin, look, report
@@ -32,9 +32,10 @@ class Face:
         self._eyes = [eye_part(head, mesh, side) for side in ("left", "right")]
         scene = np.concatenate([fields.space[atlas.covered], *[e.positions for e in self._eyes]])
         open_sky = atlas.spread(occlusion(skin.positions, skin.normals, scene))
-        # Lightens the folded upper lid, which must not be black when the eye closes.
+        # Lightens the upper lid. The lid of an open eye is folded, so its occlusion is dark. On a closed eye, the lid
+        # must not be black.
         open_sky += (1 - open_sky) * 0.65 * fields.spot("upper-lid", 0.010, (1.6, 1, 1))
-        # Lightens the insides of the lips, which a smile shows.
+        # Lightens the insides of the lips, which are visible in a smile.
         open_sky += (1 - open_sky) * 0.5 * np.clip(gaussian_filter(fields.mouth_hole, 6) * 2.5, 0, 1)
         report("colour")
         self.colour = paint_colour(fields, open_sky, look)
@@ -45,7 +46,6 @@ class Face:
         self.specular = paint_specular(fields, open_sky)
 
     def images(self) -> dict[str, tuple[str, bytes]]:
-        """Encodes the images. Returns MIME type and bytes by image name."""
         look = self._look
         return {
             "skin-colour": encode(self.colour, "jpeg"),
@@ -58,7 +58,10 @@ class Face:
         }
 
     def parts(self, overlap=OVERLAP) -> list[Part]:
-        """Builds all parts except the skin. The last is the shirt, which covers the skin's last `overlap` rings."""
+        """Builds all parts except the skin. The last part is the shirt.
+
+        `overlap`: number of rings of quads at the lower end of the neck that the shirt covers.
+        """
         head, mesh, look = self._head, self._mesh, self._look
         self._report("parts")
         return [

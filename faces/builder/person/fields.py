@@ -1,4 +1,4 @@
-"""Scalar fields for painting maps: noise in space, soft spots around landmarks, soft outlines, occlusion."""
+"""Computes scalar fields over a texture: noise, spots, outlines and occlusion. Other modules paint maps with them."""
 
 import numpy as np
 from PIL import Image, ImageDraw
@@ -10,24 +10,31 @@ from . import landmarks
 
 
 class Fields:
-    """Fields are (size, size) arrays over the skin's texture layout."""
+    """Creates fields over the skin's texture, as arrays (size, size).
+
+    `space`: position of each texel on this skin, metres. `near`: mask of the texels that are on the skin, or up to 8
+    texels away from it.
+    """
 
     def __init__(self, atlas: Atlas, positions: np.ndarray, seed: int):
         self.size = atlas.size
-        self.space = atlas.spread(positions)  # metres, on this skin
+        self.space = atlas.spread(positions)
         self.seed = seed
         self.near = binary_dilation(atlas.covered, iterations=8)
         self.spread = atlas.spread
 
     def noise(self, size: float, channel: int, stretch=(1, 1, 1)) -> np.ndarray:
-        """Samples smooth noise in space, without seams: mean 0, deviation about 1, spots of `size` metres."""
+        """Returns smooth noise with mean 0, a standard deviation of about 1 and spots of `size` metres.
+
+        The noise depends on the position in space, so UV seams are not visible. `channel` selects the random seed.
+        """
         lattice = np.random.default_rng([self.seed, channel]).normal(size=(48, 48, 48))
         at = self.space / (size * np.array(stretch)) + 1000.0
         values = map_coordinates(lattice, at.reshape(-1, 3).T, order=1, mode="grid-wrap")
         return (values * 1.7).reshape(self.size, self.size)
 
     def rough(self, size: float, channel: int) -> np.ndarray:
-        """Sums three octaves of noise."""
+        """Returns the sum of three octaves of noise. Uses the channels from `channel` to `channel + 2`."""
         return (
             self.noise(size, channel)
             + 0.6 * self.noise(size / 2.1, channel + 1)
@@ -35,17 +42,20 @@ class Fields:
         ) / 1.25
 
     def near_to(self, point: np.ndarray, radius: float) -> np.ndarray:
-        """Returns a Gaussian around a point in space: 1 at the point, 1/e at `radius` metres."""
+        """Returns a Gaussian around a point in space: 1 at the point, 1/e at a distance of `radius` metres."""
         return np.exp(-((self.space - point) ** 2).sum(axis=2) / radius**2)
 
 
 class FaceFields(Fields):
-    """Fields of a face, around its landmarks."""
+    """Creates fields around the landmarks of a face.
+
+    `canonical`: position of each texel on MakeHuman's base figure, metres. It is the same for all people.
+    """
 
     def __init__(self, atlas: Atlas, canonical: np.ndarray, positions: np.ndarray, seed: int):
         super().__init__(atlas, positions, seed)
-        self.canonical = atlas.spread(canonical)  # metres, on the unblended base figure; the same for all recipes
-        # Openings of the layout: connected texels outside all triangles.
+        self.canonical = atlas.spread(canonical)
+        # The openings of mouth and eyes are connected regions of texels outside all triangles.
         label, _ = measure(~atlas.covered)
 
         def at(u, v):
@@ -56,11 +66,14 @@ class FaceFields(Fields):
         self.eye_holes = (at(u, v) | at(1 - u, v)).astype(float)
 
     def stripes(self, size: float, channel: int) -> np.ndarray:
-        """Samples vertically stretched noise, for the creases of lips."""
+        """Returns noise that is stretched vertically, for the creases of lips."""
         return self.noise(size, channel, stretch=(1, 7, 3))
 
     def spot(self, name: str, radius: float, stretch=(1, 1, 1)) -> np.ndarray:
-        """Returns a Gaussian of `radius` metres around a landmark, or around both of a pair."""
+        """Returns a Gaussian around the landmark `name`, or around both landmarks of a pair.
+
+        Along each axis, it is 1/e at a distance of `radius` metres times the `stretch` of the axis.
+        """
         points = (
             [landmarks.MIDDLE[name]]
             if name in landmarks.MIDDLE
@@ -75,7 +88,11 @@ class FaceFields(Fields):
         return total
 
     def outline(self, points: list[tuple[float, float]], soft: float, mirror=True) -> np.ndarray:
-        """Returns 1 inside a closed outline in uv and its mirror image. The edge is blurred by `soft`, in uv."""
+        """Returns a mask that is 1 inside a closed outline, and inside its mirror image if `mirror` is true.
+
+        `points`: vertices of the outline in uv. `soft`: standard deviation of the Gaussian that blurs the mask's edge,
+        in uv.
+        """
         scale = 2
         image = Image.new("L", (self.size * scale, self.size * scale), 0)
         draw = ImageDraw.Draw(image)
@@ -87,9 +104,10 @@ class FaceFields(Fields):
 
 
 def occlusion(points: np.ndarray, normals: np.ndarray, scene: np.ndarray, directions=128) -> np.ndarray:
-    """Returns the cosine-weighted visible fraction of the sky by point (n, 3): 1 unoccluded, towards 0 in a fold.
+    """Returns the ambient occlusion of points (n, 3): the visible fraction of the hemisphere, weighted by the cosine.
 
-    Uses one shadow map per direction: a depth grid of `scene` (m, 3), a dense cloud of surface points.
+    1 means unoccluded. For each direction, computes a shadow map: a grid with the depths of `scene`. `scene` (m, 3) is
+    a dense cloud of points on all surfaces.
     """
     cell = 0.9e-3
     seen = np.zeros(len(points))
@@ -115,11 +133,14 @@ def occlusion(points: np.ndarray, normals: np.ndarray, scene: np.ndarray, direct
 
 
 def _cells(flat: np.ndarray, low: np.ndarray, cell: float, grid: tuple[int, int]) -> np.ndarray:
-    """Returns the flat indices of the grid cells of points (n, 2), clamped to the grid."""
+    """Returns, for each point (n, 2), the index of its cell in the flattened grid. Clamps points to the grid."""
     index = np.clip(((flat - low) / cell).astype(int), 0, np.array(grid) - 1)
     return np.ravel_multi_index(index.T, grid)
 
 
 def _dot(points: np.ndarray, *directions: np.ndarray) -> np.ndarray:
-    """Computes dot products, one column per direction. Avoids BLAS, whose last bits depend on the processor."""
+    """Returns the dot products of points (n, 3) with directions, (n, number of directions).
+
+    Does not use BLAS, because the last bits of its results depend on the processor.
+    """
     return np.stack([points[:, 0] * d[0] + points[:, 1] * d[1] + points[:, 2] * d[2] for d in directions], axis=1)

@@ -1,4 +1,8 @@
-"""Builds the head and neck: blended, cut out, subdivided once, with all targets."""
+"""Builds the head and neck of a person.
+
+They are cut out of MakeHuman's body and subdivided once, together with the ARKit targets. MakeHuman's mesh, its UV
+layout and its targets are called the source.
+"""
 
 from dataclasses import dataclass
 
@@ -11,40 +15,45 @@ from ..part import Part, triangulate
 from ..source import ARKIT, Mesh, Wheel
 from ..subdivide import catmull_clark, vertex_normals
 
-COLLAR = 0.61  # height in metres; islands entirely above it belong to the head
-NECK_RINGS = 5  # rings of quads below the head's island that are skin
-SHIRT_RINGS = 9  # rings of quads below the head's island: first the skin's, then the shirt's
-SOCKET_RINGS = 6  # rings of fine quads that remain of each eye socket
-NAPE = 0.02  # z in metres; neck vertices behind it on the midline are on the texture seam
+COLLAR = 0.61  # height in metres; UV islands that are entirely above it belong to the head
+NECK_RINGS = 5  # number of rings of quads below the head's UV island that belong to the skin
+SHIRT_RINGS = 9  # number of rings of quads below the head's UV island that belong to the skin or the shirt
+SOCKET_RINGS = 6  # number of rings of subdivided quads to keep in each eye socket
+NAPE = 0.02  # z in metres; neck vertices that are in the plane of symmetry and behind this z are on the UV seam
 
 
 @dataclass
 class Head:
-    """The subdivided head. `region` names the source island of every quad: skin, mouth, socket-left, socket-right."""
+    """The subdivided head. Vertices and quads after subdivision are called fine."""
 
-    base: np.ndarray  # vertices of the full body with this person's shape, before subdivision
-    units: dict[str, np.ndarray]  # displacements of the full base figure by ARKit name
-    used: np.ndarray  # base vertices that belong to the head
-    positions: np.ndarray
-    normals: np.ndarray
+    base: np.ndarray  # vertices of the person's full body, before subdivision
+    units: dict[str, np.ndarray]  # displacements of the full body's vertices, by ARKit name
+    used: np.ndarray  # for each vertex of the head, its index in `base`
+    positions: np.ndarray  # fine vertices
+    normals: np.ndarray  # normals of the fine vertices
     fine_quads: np.ndarray
-    region: np.ndarray  # of every fine quad
-    matrix: object  # sparse, fine vertices x used vertices
-    uv: np.ndarray  # fine texture coordinates of the skin
-    uv_quads: np.ndarray  # fine quads of the skin into uv
-    neck: np.ndarray  # whether each quad of the skin before subdivision belongs to the neck
-    moves: dict[str, tuple[np.ndarray, np.ndarray]]  # fine displacements and changes of normals by ARKit name
+    region: np.ndarray  # name for each fine quad: skin, mouth, socket-left or socket-right
+    matrix: object  # sparse matrix of the subdivision, fine vertices x used vertices
+    uv: np.ndarray  # texture coordinates of the fine skin
+    uv_quads: np.ndarray  # fine quads of the skin, as indices into `uv`
+    neck: np.ndarray  # for each quad of the skin before subdivision, whether it belongs to the neck
+    # Displacements and changes of normals of fine vertices, by ARKit name.
+    moves: dict[str, tuple[np.ndarray, np.ndarray]]
 
 
 def islands(mesh: Mesh, faces: np.ndarray) -> np.ndarray:
-    """Returns each quad's island in the source's texture layout, (f,). `faces`: indices of quads."""
+    """Returns for each quad the index of its UV island in the source, (f,). `faces` (f,): indices of quads."""
     quads, count = mesh.uv_quads[faces], len(mesh.uv)
     a, b = quads.ravel(), np.roll(quads, -1, axis=1).ravel()
     return connected_components(coo_matrix((np.ones(len(a)), (a, b)), (count, count)), directed=False)[1][quads[:, 0]]
 
 
 def regions(mesh: Mesh, neck_rings=NECK_RINGS) -> tuple[np.ndarray, np.ndarray]:
-    """Returns each quad's part (skin, mouth, socket-left, socket-right, shirt or ""), and a mask of the head island."""
+    """Assigns quads to parts of the head.
+
+    Returns the name of each quad's part (skin, mouth, socket-left, socket-right, shirt, or "" outside the head), and a
+    mask of the quads in the head's UV island.
+    """
     body = np.flatnonzero(mesh.groups == "body")
     island = islands(mesh, body)
     name = np.full(len(mesh.quads), "", dtype="U16")
@@ -63,7 +72,7 @@ def regions(mesh: Mesh, neck_rings=NECK_RINGS) -> tuple[np.ndarray, np.ndarray]:
             name[faces] = "mouth"
     name[max(above, key=len)] = "skin"
     head_island = name == "skin"
-    # The source's head island ends under the jaw. Neck and shoulders are rings of quads grown from it.
+    # The head's UV island ends under the jaw. Each round adds a ring: the quads that touch the skin or the shirt.
     for ring in range(SHIRT_RINGS):
         reached = np.isin(mesh.quads[body], np.unique(mesh.quads[(name == "skin") | (name == "shirt")])).any(axis=1)
         name[body[reached & (name[body] == "")]] = "skin" if ring < neck_rings else "shirt"
@@ -73,10 +82,10 @@ def regions(mesh: Mesh, neck_rings=NECK_RINGS) -> tuple[np.ndarray, np.ndarray]:
 def cut_at_the_back(
     mesh: Mesh, quads: np.ndarray, uv_quads: np.ndarray, island: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Splits vertices along the texture seam, which runs down the back of the head and the nape.
+    """Splits the vertices along the UV seam, which runs down the back of the head and the nape.
 
-    `island` (f,): mask of the source's head island, whose texture coordinates have the seam. Returns quads over the
-    split vertices, and the figure's vertex of each split vertex.
+    `island` (f,): mask of the quads in the head's UV island. Returns the quads as indices of split vertices, and the
+    index of the original vertex for each split vertex.
     """
     pairs = np.unique(np.stack([quads[island].ravel(), uv_quads[island].ravel()], 1), axis=0)
     vertex, copies = np.unique(pairs[:, 0], return_counts=True)
@@ -90,7 +99,7 @@ def cut_at_the_back(
 
 
 def build_head(wheel: Wheel, mesh: Mesh, shapes: dict[str, float], rest: dict[str, float]) -> Head:
-    """Builds a head. `shapes`: amounts of identity targets; `rest`: amounts of expressions in the resting face."""
+    """Builds a head. `shapes`: weights of identity targets. `rest`: weights of expressions in the resting face."""
     base = mesh.positions.copy()
     for target, amount in shapes.items():
         base += amount * wheel.shape(target)
@@ -101,7 +110,7 @@ def build_head(wheel: Wheel, mesh: Mesh, shapes: dict[str, float], rest: dict[st
 
 
 def subdivided(mesh: Mesh, base: np.ndarray, units: dict[str, np.ndarray]) -> Head:
-    """Subdivides a figure's head. `base`: the figure's vertices; `units`: displacements (n, 3) by ARKit name."""
+    """Cuts out and subdivides a head. `base`: vertices of the body. `units`: displacements (n, 3) by ARKit name."""
     region, island = regions(mesh)
     chosen = np.flatnonzero((region != "") & (region != "shirt"))
     used, quads = np.unique(mesh.quads[chosen], return_inverse=True)
@@ -130,14 +139,14 @@ def subdivided(mesh: Mesh, base: np.ndarray, units: dict[str, np.ndarray]) -> He
 
 
 def _settled(values: np.ndarray) -> np.ndarray:
-    """Rounds to a tenth of a micron, because last bits differ between processors."""
+    """Rounds to a tenth of a micrometre, because the last bits differ between processors."""
     return np.round(values, 7)
 
 
 def skin_part(head: Head, dense_neck=False) -> tuple[Part, np.ndarray]:
-    """Returns the skin, split only at the texture seam, and the fine vertex of each of its vertices.
+    """Returns the skin, split only at the UV seam, and for each vertex of the skin the index of its fine vertex.
 
-    By default, the neck, which hardly moves, keeps fewer vertices on the same surface.
+    By default, the neck gets fewer vertices on the same surface, because targets hardly move it.
     """
     quads = head.fine_quads[head.region == "skin"]
     pairs, index = np.unique(np.stack([quads.ravel(), head.uv_quads.ravel()], 1), axis=0, return_inverse=True)
@@ -156,7 +165,7 @@ def skin_part(head: Head, dense_neck=False) -> tuple[Part, np.ndarray]:
 
 
 def coarse_skin(head: Head) -> Part:
-    """Returns the skin with the quads from before subdivision, and vertices on the subdivided surface."""
+    """Returns the skin with as many quads as before subdivision. Its vertices are on the subdivided surface."""
     quads = head.fine_quads[head.region == "skin"].reshape(-1, 4, 4)[:, :, 0]
     layout = head.uv_quads.reshape(-1, 4, 4)[:, :, 0]
     pairs, index = np.unique(np.stack([quads.ravel(), layout.ravel()], 1), axis=0, return_inverse=True)
@@ -167,10 +176,11 @@ def coarse_skin(head: Head) -> Part:
 
 
 def thin_out(neck: np.ndarray, beside: np.ndarray) -> np.ndarray:
-    """Triangulates the corners of the neck's old quads, and the edge points shared with the fine skin.
+    """Replaces the fine quads of the neck by fewer triangles.
 
-    `neck`: old quads x 4 fine quads x 4 vertices, in the order of `catmull_clark`: corner, edge point, face point, edge
-    point. A quad beside fine skin becomes a fan around its first edge point, without gaps.
+    `neck` (f, 4, 4): vertices of the four fine quads that replaced each original quad, in the order of `catmull_clark`:
+    corner, edge point, face point, edge point. `beside`: quads of the fine skin that borders on the neck. The triangles
+    use the corners of the original quads. A quad on the border becomes a fan around an edge point, so no gaps appear.
     """
     meeting = np.isin(neck[:, :, 1], beside)
     triangles = []
@@ -191,7 +201,7 @@ def mouth_lining(head: Head) -> Part:
 
 
 def socket_lining(head: Head) -> Part:
-    """Returns the inner rim of the lids. Eyeballs hide the rest of the sockets."""
+    """Returns the part of the eye sockets next to the lids. Eyeballs hide the rest."""
     skin = np.unique(head.fine_quads[head.region == "skin"])
     quads = np.flatnonzero(np.char.startswith(head.region, "socket"))
     near = skin
@@ -201,7 +211,7 @@ def socket_lining(head: Head) -> Part:
 
 
 def _lining(head: Head, chosen: np.ndarray, name: str) -> Part:
-    """Returns a lining without uv. It is dark, so its targets do not change normals."""
+    """Returns the lining of the mouth or the sockets. It is dark, so it has no uv and its targets change no normals."""
     used, index = np.unique(head.fine_quads[chosen], return_inverse=True)
     triangles = triangulate(index.reshape(-1, 4), head.positions[used])
     part = _part(head, name, "mouth", used, None, triangles)

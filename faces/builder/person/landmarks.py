@@ -1,6 +1,6 @@
-"""Features in the skin's texture layout: points and outlines of the person's left half in uv, v down.
+"""Lists the positions of facial features in the skin's texture layout, which all people share, in uv with v down.
 
-All recipes share the layout. The right half is the mirror image, u -> 1 - u.
+Only the person's left half is listed. The right half is the mirror image, with 1 - u instead of u.
 """
 
 MIDDLE = {
@@ -32,7 +32,7 @@ LEFT = {
     "jaw": (0.7167, 0.7499),
 }
 
-# Outlines, from the middle outwards or all around.
+# Outlines. Those of the lips and brows go from the middle of the face outwards.
 UPPER_LIP = [
     (0.5, 0.6904),
     (0.5104, 0.689),

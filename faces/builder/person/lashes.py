@@ -1,4 +1,4 @@
-"""Eyelashes: the source's helper strips beside the lids, with a transparent map of hairs."""
+"""Builds the eyelashes: strips along the lids from MakeHuman's helper meshes, with a transparent texture of hairs."""
 
 import io
 
@@ -10,7 +10,9 @@ from ..source import Mesh
 from ..subdivide import catmull_clark, vertex_normals
 from .head import Head
 
-SIZE = (512, 64)  # pixels; upper half: upper lid; roots at the bottom of each half
+# Width and height of the texture, pixels. The upper half shows the lashes of the upper lid, the lower half those of the
+# lower lid. Their roots are at the bottom of each half.
+SIZE = (512, 64)
 
 
 def lash_part(head: Head, mesh: Mesh, look: dict) -> Part:
@@ -39,13 +41,13 @@ def _strip(head, mesh, group, side, row, look):
     uv = (uv - uv.min(axis=0)) / (uv.max(axis=0) - uv.min(axis=0))
     matrix, fine = catmull_clark(quads, len(used))
     rim = np.unique(head.fine_quads[head.region == f"socket-{side}"])
-    # Orients the strip: the end nearer to the rim is at the lid.
+    # The roots are on the strip's border that is nearer to the edge of the lid.
     points = head.base[used]
     gap = np.linalg.norm(points[:, None] - head.positions[rim][None], axis=2).min(axis=1)
     if gap[uv[:, 1] > 0.7].mean() < gap[uv[:, 1] < 0.3].mean():
         uv[:, 1] = 1 - uv[:, 1]
     positions, uv = matrix @ points, matrix @ uv
-    # Shortens lashes by moving vertices towards the nearest root.
+    # Shortens the lashes by moving each vertex towards the nearest root.
     roots = np.flatnonzero(uv[:, 1] < 0.12)
     nearest = roots[np.abs(uv[:, None, 0] - uv[None, roots, 0]).argmin(axis=1)]
     keep = look["lash_length"] * (1.0 if row == 0 else 0.8)

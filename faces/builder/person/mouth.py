@@ -1,4 +1,8 @@
-"""Teeth with gums, the tongue, and the lining of the mouth."""
+"""Builds the teeth with gums, the tongue, and the linings of the mouth and the eye sockets.
+
+MakeHuman's body has helper meshes for both rows of teeth and for the tongue. This module uses only the arch and
+the motion of the helper teeth.
+"""
 
 import numpy as np
 
@@ -7,16 +11,19 @@ from ..source import Mesh
 from ..subdivide import catmull_clark, vertex_normals
 from .head import Head, mouth_lining, socket_lining
 
-# Widths and heights of crowns in millimetres, from the middle (Wheeler's Dental Anatomy, rounded).
+# Width and height of each crown in millimetres (Wheeler's Dental Anatomy, rounded). The first tooth is in the middle.
 UPPER = [(8.6, 10.4), (6.7, 9.2), (7.6, 10.2), (7.0, 8.6), (6.8, 8.0), (9.8, 7.4)]
 LOWER = [(5.4, 8.8), (5.9, 9.2), (6.8, 10.4), (7.0, 8.6), (7.1, 8.0)]
 INCISORS_AND_CANINES = 3
-LIGHT = [1.0, 0.97, 0.82, 0.45, 0.16, 0.08]  # fraction of light that reaches each tooth between the cheeks
-ARCH_WIDTH = {"upper": 0.90, "lower": 0.81}  # as a fraction of the helper's half width
-ARCH_INSET = 1.5e-3  # metres behind the helper's front
-TONGUE_DROP = 3e-3  # metres; the source's tongue fills the open mouth up to the palate
-SPEE = 0.25  # fraction of the helper's rise towards the back; with 1, molars show at the corners of the mouth
-OVERBITE = 1.2e-3  # metres that both rows are lowered, so that a smile shows the upper row
+LIGHT = [1.0, 0.97, 0.82, 0.45, 0.16, 0.08]  # brightness of each tooth; cheeks shade those further back
+ARCH_WIDTH = {"upper": 0.90, "lower": 0.81}  # width of the dental arch, as a fraction of the helper's width
+ARCH_INSET = 1.5e-3  # distance of the arch behind the helper's front, metres
+# Metres by which the tongue is lowered. Otherwise it would fill the open mouth up to the palate.
+TONGUE_DROP = 3e-3
+# Rise of the biting edges towards the back, as a fraction of the helper's rise. With 1, molars would be visible at the
+# corners of the mouth.
+SPEE = 0.25
+OVERBITE = 1.2e-3  # metres by which both rows are lowered, so that a smile shows the upper row
 ENAMEL, ENAMEL_AT_GUM, GUM = (0.74, 0.66, 0.52), (0.62, 0.48, 0.32), (0.42, 0.13, 0.11)  # linear
 LINING, THROAT, TONGUE = (0.36, 0.11, 0.09), (0.05, 0.012, 0.01), (0.44, 0.16, 0.14)
 LID_RIM = (0.26, 0.085, 0.065)
@@ -26,7 +33,7 @@ def teeth_part(head: Head, mesh: Mesh, jaw: str) -> Part:
     helper = np.unique(mesh.quads[mesh.groups == f"helper-{jaw}-teeth"])
     points = head.base[helper]
     arch = _arch(points, jaw)
-    away = 1 if jaw == "upper" else -1  # from the biting edge to the gum
+    away = 1 if jaw == "upper" else -1  # direction of y from the biting edge to the gum
     crowns = UPPER if jaw == "upper" else LOWER
 
     pieces = []
@@ -45,7 +52,7 @@ def teeth_part(head: Head, mesh: Mesh, jaw: str) -> Part:
     targets = {}
     for name, unit in head.units.items():
         if np.linalg.norm(unit[helper], axis=1).max() > 1e-3:
-            # One affine map, fitted to the helper's vertices, moves the rigid jaw.
+            # The jaw moves rigidly, so an affine map that is fitted to the helper's motion moves all teeth.
             system = np.c_[points, np.ones(len(points))]
             fit = np.linalg.lstsq(system, unit[helper], rcond=None)[0]
             shift = np.c_[positions, np.ones(len(positions))] @ fit
@@ -82,16 +89,16 @@ def socket_part(head: Head) -> Part:
 
 
 def _fade(positions, front, back) -> np.ndarray:
-    """Returns colours (n, 4) that darken towards the throat."""
+    """Returns vertex colours (n, 4) that change from `front` to `back` towards the throat."""
     z = positions[:, 2]
     t = np.clip((z.max() - z) / 0.045, 0, 1)[:, None] ** 0.8
     return np.concatenate([(1 - t) * np.array(front) + t * np.array(back), np.ones((len(z), 1))], axis=1)
 
 
 def _arch(points: np.ndarray, jaw: str) -> np.ndarray:
-    """Returns the dental arch, (200, 4), from the middle to the back: arc length, x, height of the biting edge, z.
+    """Returns points of half the dental arch, from the middle to the back, (200, 4).
 
-    Follows the helper's strip inwards, to leave room for the thickness of teeth.
+    Columns are the arc length, x, the height of the biting edge and z, in metres.
     """
     front, wide = points[:, 2].max(), np.abs(points[:, 0]).max()
     deep = front - points[:, 2].min()
@@ -108,7 +115,7 @@ def _arch(points: np.ndarray, jaw: str) -> np.ndarray:
 
 
 def _frame(arch: np.ndarray, side: int, at: float):
-    """Returns a point on the biting edge, the direction along the arch, and the direction outwards."""
+    """Returns the point on the biting edge at arc length `at`, the direction of the arch, and the outward direction."""
 
     def point(d):
         return np.array([np.interp(d, arch[:, 0], arch[:, k]) for k in (1, 2, 3)]) * [side, 1, 1]
@@ -120,14 +127,17 @@ def _frame(arch: np.ndarray, side: int, at: float):
 
 
 def _crown(arch, side, at, width, height, away, number):
-    """Sweeps a superellipse from gum to edge: narrower at the gum, with a thin edge in front and a thick one behind."""
+    """Builds a crown by sweeping a superellipse from the gum to the biting edge.
+
+    It is narrower at the gum. The biting edge is thin on incisors and canines, and thick on teeth further back.
+    """
     here, tangent, outward = _frame(arch, side, at)
     levels, spokes = 6, 12
     front = number < INCISORS_AND_CANINES
     depth = 0.0066 if front else 0.0088
     s = np.linspace(0, 1, levels)  # 0 at the gum, 1 at the biting edge
     turn = np.arange(spokes) / spokes * 2 * np.pi
-    power = 0.62  # squarish section
+    power = 0.62  # exponent of the superellipse, nearly a rectangle
     cx = np.sign(np.cos(turn)) * np.abs(np.cos(turn)) ** power
     cz = np.sign(np.sin(turn)) * np.abs(np.sin(turn)) ** power
     wide = width / 2 * (0.80 + 0.2 * np.sqrt(np.clip(s * 1.6, 0, 1))) * np.where(s > 0.9, 0.94, 1)

@@ -1,4 +1,4 @@
-"""A round-neck shirt that hides the cut edge of the neck."""
+"""Builds the neck of a shirt, which hides the cut edge of the skin."""
 
 import numpy as np
 from scipy.ndimage import gaussian_filter1d
@@ -10,12 +10,12 @@ from ..source import Mesh
 from ..subdivide import catmull_clark, vertex_normals
 from .head import NECK_RINGS, Head, regions
 
-EASE = 2.5e-3  # metres between skin and cloth
-OVERLAP = 2  # rings of skin covered by the shirt
-SMOOTH = 8.0  # deviation of the Gaussian that rounds the neckline, in vertices
-REACH = 0.03  # metres below the neckline over which the rounding fades
-BAND = 0.010  # width in metres of the neckline that is lifted more
-BAND_LIFT = 1.0e-3
+EASE = 2.5e-3  # distance between skin and cloth, metres
+OVERLAP = 2  # number of rings of quads of the skin that the shirt covers
+SMOOTH = 8.0  # standard deviation of the Gaussian that rounds the neckline, in vertices
+REACH = 0.03  # distance from the neckline over which its rounding fades out, metres
+BAND = 0.010  # width of a raised band along the neckline, metres
+BAND_LIFT = 1.0e-3  # additional distance between skin and band, metres
 
 
 def shirt_part(head: Head, mesh: Mesh, overlap=OVERLAP) -> Part:
@@ -27,13 +27,14 @@ def shirt_part(head: Head, mesh: Mesh, overlap=OVERLAP) -> Part:
     normals = vertex_normals(body, fine)
 
     neckline = max(borders(fine), key=lambda loop: body[loop, 1].mean())
-    # Rounds the corners of the neckline; the cloth follows.
+    # Rounds the corners of the neckline, and moves the cloth near it by the same offsets.
     rounded = gaussian_filter1d(body[neckline], SMOOTH, axis=0, mode="wrap")
     gap, nearest = cKDTree(body[neckline]).query(body)
     t = np.clip(1 - gap / REACH, 0, 1)[:, None]
     draped = body + (rounded - body[neckline])[nearest] * t * t * (3 - 2 * t)
 
-    # Moves the cloth back to the tangent plane of the nearest body point, plus the ease.
+    # Moves each vertex of the cloth along the normal of the nearest point of the body. It then has the distance `lift`
+    # from the point's tangent plane.
     surface = np.concatenate([body, head.positions])
     facing = np.concatenate([normals, head.normals])
     _, closest = cKDTree(surface).query(draped)
@@ -42,7 +43,7 @@ def shirt_part(head: Head, mesh: Mesh, overlap=OVERLAP) -> Part:
     depth = ((draped - surface[closest]) * out).sum(axis=1)
     positions = draped + out * (lift - depth)[:, None]
 
-    # A hem turned in to the skin gives the cloth an edge.
+    # Adds a hem that is folded inwards to the skin, so that the cloth looks thick at its edge.
     count, size = len(positions), len(neckline)
     inner = count + np.arange(size)
     positions = np.concatenate([positions, positions[neckline] - out[neckline] * (EASE + BAND_LIFT + 1.5e-3)])

@@ -1,4 +1,7 @@
-"""Paints the skin's maps: base colour, pores, roughness with occlusion. Colours are sRGB, 0..1."""
+"""Paints the texture maps of a face's skin: base colour, normals, roughness with occlusion, and specular strength.
+
+Colours are sRGB, 0..1. `look` is an entry of recipes.py.
+"""
 
 import io
 
@@ -13,11 +16,11 @@ from .skin_net import skin_net
 
 
 def paint_colour(fields: FaceFields, occlusion: np.ndarray, look: dict) -> np.ndarray:
-    """Paints colour layers from the flesh outwards, (size, size, 3)."""
+    """Paints the base colour, (size, size, 3), as layers: skin, blood, spots, folds, lips, beard, hair and brows."""
     spot, rough, noise = fields.spot, fields.rough, fields.noise
     skin = mottled(fields, look)
 
-    # Red where blood is near the surface, pale elsewhere.
+    # The skin is red where blood is near the surface, and pale on the forehead and the philtrum.
     red = (
         0.75 * spot("cheek", 0.026)
         + 0.5 * spot("cheek-bone", 0.020)
@@ -32,7 +35,7 @@ def paint_colour(fields: FaceFields, occlusion: np.ndarray, look: dict) -> np.nd
     pale = 0.35 * spot("forehead", 0.04) + 0.3 * spot("philtrum", 0.012)
     skin = lay(skin, np.array(look["pale"]), 0.4 * pale)
 
-    # Thin skin around the eyes is darker and slightly violet, most at the inner corner and in the bag.
+    # The thin skin around the eyes is darker, most of all at the inner corners and below the eyes.
     lids = np.maximum.reduce(
         [
             spot("upper-lid", 0.010, (1.5, 1, 1)),
@@ -46,16 +49,16 @@ def paint_colour(fields: FaceFields, occlusion: np.ndarray, look: dict) -> np.nd
     rim = np.maximum(gaussian_filter(fields.eye_holes, 3), 0) * 1.3
     skin = lay(skin, np.array(look["rim"]), np.clip(rim, 0, 0.9))
 
-    # Sun spots and moles.
+    # Sun spots and moles appear where the noise is largest.
     freckles = np.clip(noise(0.0032, 25) - 1.9, 0, 1) + np.clip(noise(0.0055, 26) - 2.3, 0, 1)
     sun = np.clip(0.3 + spot("cheek", 0.05) + spot("forehead", 0.06) + spot("temple", 0.05), 0, 1)
     skin = lay(skin, np.array(look["freckle"]), np.clip(look["freckles"] * freckles * sun, 0, 0.6))
 
-    # Warm shadows in folds: light bounces between red surfaces.
+    # Shadows in folds are reddish, because light is reflected several times by the skin.
     dark = (1 - occlusion)[..., None]
     skin *= 1 - look["fold"] * dark * np.array([0.75, 1.0, 1.05])
 
-    # Lips: soft edges, vertical creases, a darker line between them.
+    # Lips have soft edges and vertical creases. The line between them is darker.
     lips = fields.outline(UPPER_LIP + LOWER_LIP[1:], 0.0028)
     lips = np.clip(lips * (1 + 0.10 * rough(0.004, 29)), 0, 1)
     creases = fields.stripes(0.0011, 33)
@@ -64,7 +67,7 @@ def paint_colour(fields: FaceFields, occlusion: np.ndarray, look: dict) -> np.nd
     line = np.clip(gaussian_filter(fields.mouth_hole, 2) * 1.6, 0, 1)
     skin = lay(skin, np.array(look["lip_line"]), 0.92 * line)
 
-    # Beard shadow and cropped hair: a tone under the skin, and stubble as fine specks.
+    # Shaved beard and short hair are drawn as a tone with fine specks.
     specks = np.clip(noise(0.00055, 41), -1.4, 1.8)
     if look["beard"]:
         beard = fields.outline(BEARD, 0.010) * (1 - 0.9 * np.clip(lips * 1.5, 0, 1)) * (0.8 + 0.2 * rough(0.012, 45))
@@ -72,7 +75,7 @@ def paint_colour(fields: FaceFields, occlusion: np.ndarray, look: dict) -> np.nd
             skin, np.array(look["beard_colour"]), np.clip(look["beard"] * beard * (0.85 + 0.30 * specks), 0, 0.85)
         )
     hair = fields.outline(HAIR, look["hair_softness"])
-    edge = 4 * hair * (1 - hair)  # 1 on the hairline, where single hairs are visible
+    edge = 4 * hair * (1 - hair)  # 1 on the hairline, which noise makes uneven
     ragged = np.clip(hair + (0.10 * rough(0.0022, 49) + 0.14 * noise(0.0007, 54)) * edge, 0, 1)
     strength = ragged**1.4 * (1 - look["thinning"] * spot("hairline", 0.06))
     grey = np.clip(look["grey"] * (0.6 + spot("temple", 0.05) + 0.2 * rough(0.01, 52)) + 0.12 * noise(0.0006, 53), 0, 1)
@@ -80,13 +83,13 @@ def paint_colour(fields: FaceFields, occlusion: np.ndarray, look: dict) -> np.nd
     skin = lay(skin, tone, np.clip(look["hair_cover"] * strength * (0.93 + 0.16 * specks), 0, 0.97))
 
     skin = paint_brows(skin, look, fields.size)
-    # Texels far from the skin are never sampled; a flat colour compresses well.
+    # Texels far from the skin are never sampled. They get a constant colour, which compresses well.
     skin[~fields.near] = look["skin"]
     return np.clip(skin, 0, 1)
 
 
 def mottled(fields: Fields, look: dict) -> np.ndarray:
-    """Paints the tone of bare skin: uneven blood and pigment at three sizes."""
+    """Paints the colour of skin without features. Blood and pigment vary at three scales."""
     rough, noise = fields.rough, fields.noise
     skin = np.broadcast_to(np.array(look["skin"]), (fields.size, fields.size, 3)).copy()
     blood = 0.5 * rough(0.020, 1) + 0.5 * rough(0.006, 5)
@@ -96,7 +99,7 @@ def mottled(fields: Fields, look: dict) -> np.ndarray:
 
 
 def paint_pores(fields: FaceFields, depth: float) -> np.ndarray:
-    """Paints a tangent-space normal map of skin at rest, (size, size, 3), 0..1: furrows, pores, creases of lips."""
+    """Paints a tangent-space normal map (size, size, 3), 0..1, of the skin at rest: furrows, pores, creases of lips."""
     spot = fields.spot
     lids = np.maximum(spot("upper-lid", 0.011, (1.5, 1, 1)), spot("lower-lid", 0.009, (1.5, 1, 1)))
     ears = np.maximum.reduce([spot("ear-top", 0.02), spot("ear-middle", 0.022), spot("ear-lobe", 0.016)])
@@ -106,15 +109,15 @@ def paint_pores(fields: FaceFields, depth: float) -> np.ndarray:
     forehead = np.maximum(spot("forehead", 0.045), spot("glabella", 0.018))
     temple = np.maximum(spot("temple", 0.026), 0.7 * spot("jaw", 0.03))
 
-    # Plateaus are wide on cheeks and neck, and narrow on the forehead and around the eyes.
+    # Distance between the plateaus of `skin_net`, metres: larger on cheeks and neck, smaller on the forehead and lids.
     spacing = 0.0013 + 0.0001 * cheek + 0.0002 * spot("throat", 0.05) - 0.0003 * forehead - 0.0004 * lids
     furrow, pore = skin_net(fields, spacing, width=0.55)
-    # Varies the strength of the net, which in real skin changes within a centimetre.
+    # The depth of furrows and pores varies within a centimetre, as in real skin.
     patchy = np.clip(1 + 0.3 * fields.rough(0.009, 61), 0.3, 1.6)
     furrows = 0.28 + 0.15 * forehead + 0.1 * chin - 0.12 * cheek - 0.2 * temple - 0.12 * lids
     pores = 0.16 + 0.75 * nose + 0.5 * cheek + 0.3 * chin - 0.1 * forehead - 0.12 * temple
     bare = (1 - 0.75 * lids) * (1 - 0.6 * ears)
-    bare *= 1 - np.clip(fields.outline(HAIR, 0.008) * 1.2, 0, 1)  # none under the hair
+    bare *= 1 - np.clip(fields.outline(HAIR, 0.008) * 1.2, 0, 1)
     sunk = np.maximum(furrows, 0) * furrow + np.maximum(pores, 0) * pore
     height = gaussian_filter(-sunk * patchy * bare, 0.6)
     lips = fields.outline(UPPER_LIP + LOWER_LIP[1:], 0.002)
@@ -123,12 +126,11 @@ def paint_pores(fields: FaceFields, depth: float) -> np.ndarray:
 
 
 def relief(height: np.ndarray, depth: float, near: np.ndarray, step=3) -> np.ndarray:
-    """Converts heights in texels to a tangent-space normal map (size, size, 3), 0..1; flat where `near` is false.
+    """Converts heights in texels to a tangent-space normal map (size, size, 3), 0..1, with x right and y up.
 
-    Bytes of x and y are 128 plus a multiple of `step`. With steps of 3 the file compresses to 0.4 of its size, and
-    pores still look smooth.
+    The map is flat where `near` is false. The bytes of x and y are 128 plus a multiple of `step`. A step of 3 instead
+    of 1 shrinks the file by 60 per cent, and pores still look smooth.
     """
-    # x is right, y is up.
     right, down = np.gradient(height, axis=1), np.gradient(height, axis=0)
     normal = np.stack([-depth * right, depth * down, np.ones_like(height)], axis=2)
     normal[~near] = [0, 0, 1]
@@ -139,7 +141,7 @@ def relief(height: np.ndarray, depth: float, near: np.ndarray, step=3) -> np.nda
 
 
 def paint_surface(fields: FaceFields, occlusion: np.ndarray, look: dict) -> np.ndarray:
-    """glTF's packing: occlusion in red, roughness in green, metalness (none) in blue."""
+    """Paints the map of occlusion (red), roughness (green) and metalness (blue, 0), packed as in glTF."""
     spot = fields.spot
     oily = np.clip(
         0.9 * spot("nose-tip", 0.018)
@@ -155,9 +157,8 @@ def paint_surface(fields: FaceFields, occlusion: np.ndarray, look: dict) -> np.n
     rough = rough * (1 - lips) + 0.40 * lips
     hair = fields.outline(HAIR, 0.008)
     rough = rough + 0.12 * hair
-    rough = np.maximum(
-        rough, 0.9 * np.clip(gaussian_filter(fields.mouth_hole, 3) * 2, 0, 1)
-    )  # no highlight between the lips
+    # The line between the lips has no highlight.
+    rough = np.maximum(rough, 0.9 * np.clip(gaussian_filter(fields.mouth_hole, 3) * 2, 0, 1))
     wet = np.clip(gaussian_filter(fields.eye_holes, 2) * 1.5, 0, 1)
     rough = rough * (1 - wet) + 0.28 * wet
     packed = np.stack([occlusion, np.clip(rough, 0.2, 1), np.zeros_like(rough)], axis=2)
@@ -166,9 +167,9 @@ def paint_surface(fields: FaceFields, occlusion: np.ndarray, look: dict) -> np.n
 
 
 def paint_specular(fields: FaceFields, occlusion: np.ndarray) -> np.ndarray:
-    """Paints the strength of highlights in alpha: 0 where the face itself blocks the light.
+    """Paints the strength of highlights in alpha. It is low where the face itself blocks the light.
 
-    Shadow maps are rarely fine enough to keep the line between the lips from shining.
+    A renderer's shadow maps rarely have enough texels to prevent highlights between the lips.
     """
     line = np.clip(gaussian_filter(fields.mouth_hole, 4) * 2.5, 0, 1)
     amount = np.clip(gaussian_filter(occlusion, 2) * 1.6 - 0.3, 0, 1) * (1 - line)
@@ -187,9 +188,9 @@ def encode(image: np.ndarray, kind: str, quality=88) -> tuple[str, bytes]:
 
 
 def encode_palette(image: np.ndarray) -> tuple[str, bytes]:
-    """Encodes a PNG with a palette of the 256 most frequent colours: 0.7 of the size of RGB for normals of skin.
+    """Encodes a PNG with a palette of the 256 most frequent colours. For normals of skin, this saves 30 per cent.
 
-    Each colour that is not in the palette becomes the nearest one that is: in the steepest creases of the lips.
+    Other colours, which occur in the steepest creases of the lips, are replaced by the nearest colour of the palette.
     """
     pixels = np.round(np.clip(image, 0, 1) * 255).astype(np.uint8)
     colours, texels, counts = np.unique(pixels.reshape(-1, 3), axis=0, return_inverse=True, return_counts=True)
@@ -198,7 +199,7 @@ def encode_palette(image: np.ndarray) -> tuple[str, bytes]:
     data = Image.fromarray(nearest[texels].astype(np.uint8).reshape(pixels.shape[:2]), "P")
     data.putpalette(kept.tobytes())
     out = io.BytesIO()
-    # Compression type 1 is zlib's Z_FILTERED, for noise.
+    # Compression type 1 is zlib's strategy Z_FILTERED, which suits noise.
     data.save(out, "PNG", compress_level=9, compress_type=1)
     return "image/png", out.getvalue()
 

@@ -1,7 +1,7 @@
-"""Relief of bare skin: a net of fine furrows between small plateaus, with pores where furrows meet.
+"""Computes the fine relief of skin: a net of furrows between small plateaus, with pores where furrows meet.
 
-Plateaus are cells of points on the surface (S. Worley, "A Cellular Texture Basis Function", 1996), so that the net has
-no seams and a uniform size in metres.
+The plateaus are the cells of a cellular texture (S. Worley, "A Cellular Texture Basis Function", 1996). Its points lie
+on the surface, so UV seams are not visible and sizes are in metres.
 """
 
 import numpy as np
@@ -13,7 +13,7 @@ from .fields import Fields
 def skin_net(fields: Fields, spacing: np.ndarray, width: float) -> tuple[np.ndarray, np.ndarray]:
     """Returns two maps, the depth of furrows and the depth of pores: 0 on a plateau, 1 at the deepest point.
 
-    `spacing`: distance between plateaus by texel, metres. `width`: width of furrows as a fraction of the spacing.
+    `spacing`: distance between plateaus at each texel, metres. `width`: width of furrows, as a fraction of the spacing.
     """
     points = scattered(fields, spacing)
     tree = cKDTree(points)
@@ -32,12 +32,12 @@ def scattered(fields: Fields, spacing: np.ndarray) -> np.ndarray:
     inside = np.flatnonzero(fields.near)
     texel = area_of_texels(fields.space).ravel()[inside]
     reach = spacing.ravel()[inside]
-    # Four candidates per disk leave few gaps.
+    # With four random candidates per square of side `spacing`, few gaps remain.
     expected = texel / reach**2
     count = int(4 * expected.sum())
     chosen = random.choice(len(inside), size=count, p=expected / expected.sum())
     points = fields.space.reshape(-1, 3)[inside][chosen]
-    # Jitter, because points of one texel would coincide.
+    # Moves the points randomly, because several points of one texel would coincide.
     points = points + random.uniform(-0.5, 0.5, (count, 3)) * np.sqrt(texel[chosen])[:, None]
     radii = 0.8 * reach[chosen]
     kept = np.zeros(count, bool)
@@ -45,7 +45,7 @@ def scattered(fields: Fields, spacing: np.ndarray) -> np.ndarray:
     near = cKDTree(points).query_pairs(radii.max(), output_type="ndarray")
     gap = np.linalg.norm(points[near[:, 0]] - points[near[:, 1]], axis=1)
     near = near[gap < np.minimum(radii[near[:, 0]], radii[near[:, 1]])]
-    # Keeps one of several points that are too close to each other: the first in random order.
+    # If several points are too close to each other, only the first is kept. Their order is random.
     while open_.any():
         rival = near[open_[near].all(axis=1)]
         beaten = np.zeros(count, bool)
@@ -59,7 +59,7 @@ def scattered(fields: Fields, spacing: np.ndarray) -> np.ndarray:
 
 
 def area_of_texels(space: np.ndarray) -> np.ndarray:
-    """Returns the area of skin by texel, square metres."""
+    """Returns the area of skin that each texel covers, square metres."""
     right, down = np.gradient(space, axis=1), np.gradient(space, axis=0)
     return np.linalg.norm(np.cross(right, down), axis=2)
 
