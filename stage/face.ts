@@ -4,26 +4,27 @@ import type { Mesh, Object3D } from 'three'
 import { MeshoptDecoder } from 'three/addons/libs/meshopt_decoder.module.js'
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 
+/** Face in a loaded glTF file. */
 export interface Face {
-  /** Scene of the file: skin, eyes, teeth, lashes. */
+  /** Scene of the file, with skin, eyes, teeth and lashes. */
   root: Object3D
   /** Mesh with wrinkles. */
   skin: Mesh
-  /** Other primitives of the skin's glTF mesh, with the same material. */
+  /** Other primitives of the skin's glTF mesh that have the skin's material. GLTFLoader makes a mesh from each of them. */
   parts: Mesh[]
-  /** The file's wrinkles for `skin`, or null. */
+  /** Wrinkles that the file stores for `skin`, or null. */
   wrinkles: Pick<LoadedWrinkles, 'set' | 'drivers'> | null
 }
 
-/** Name of the skin in files without wrinkles. */
+/** Name by which the skin is found in files without wrinkles. */
 const SKIN = 'skin'
 
 /**
- * Loads a face.
+ * Loads a face from a glTF file, with the wrinkles that the file stores.
  *
  * @param skin name of the mesh to wrinkle. Default: the first mesh with wrinkles, otherwise the mesh named `skin`, otherwise the mesh
  *   with the most vertices.
- * @param loader loader with the decoders that the file needs; meshopt is added.
+ * @param loader loader with all decoders that the file needs. `loadFace` adds the meshopt decoder.
  * @throws Error if the file has no mesh, or the named mesh is missing.
  */
 export async function loadFace(url: string, skin?: string, loader = new GLTFLoader()): Promise<Face> {

@@ -10,23 +10,22 @@ import {
 import { RoomEnvironment } from 'three/addons/environments/RoomEnvironment.js'
 import { PMREMGenerator as NodePMREMGenerator, type WebGPURenderer } from 'three/webgpu'
 
-/** Three-point lighting: key from the upper left, a weaker fill, a rim light from behind. */
+/** Three-point lighting: a key light from the upper left, a weaker fill light, and a rim light from behind. `from` points to the light. */
 const LIGHTS = [
   { name: 'key', colour: 0xfff1e4, intensity: 3, from: [-1, 1.35, 0.95] },
   { name: 'fill', colour: 0xdfe8ff, intensity: 0.5, from: [1.3, 0.1, 0.8] },
   { name: 'rim', colour: 0xe6eeff, intensity: 1.1, from: [1.2, 1, -1.6] },
 ] as const
 
-/** Intensity of the environment map, which fills shadows and reflects in the eyes. */
+/** Intensity of the environment map, which brightens shadows and is reflected in the eyes. */
 const ENVIRONMENT = 0.28
 
 const BACKGROUND = 0x24272c
-/** Colour that WebGPURenderer, which tone-maps the background too, turns into `BACKGROUND`. */
+/** Colour that appears as `BACKGROUND` with WebGPURenderer, which also tone-maps the background. */
 const TONE_MAPPED_BACKGROUND = 0x34373b
 
-/** Lights and environment of a scene. */
 export interface Lighting {
-  /** Key light. Its position is the direction to the light, for a face that looks along +Z. */
+  /** Key light. Its `position` is the direction to the light if the face looks along +Z. `turn` rotates this direction. */
   readonly key: DirectionalLight
   /** Rotates lights and environment about +Y. @param yaw radians from +Z to the facing direction. */
   turn(yaw: number): void
@@ -45,7 +44,7 @@ export function lightScene(scene: Scene, renderer: WebGLRenderer | WebGPURendere
     scene.environment = environment.texture
   }
   surround()
-  // The environment map was rendered on the GPU, and is missing after a context loss.
+  // The environment map exists only on the GPU. A context loss deletes it.
   const { domElement } = renderer
   if (isWebGL(renderer)) domElement.addEventListener('webglcontextrestored', surround)
   scene.environmentIntensity = ENVIRONMENT

@@ -1,4 +1,4 @@
-/** Lit scene, shared by studio, render, figures and tests. */
+/** Creates a lit three.js scene for a face. The studio, `furrow render`, the figures and the tests use it. */
 
 import {
   addDrivers,
@@ -11,6 +11,7 @@ import { Wrinkles as WebGPUWrinkles } from 'furrow/webgpu'
 import {
   ACESFilmicToneMapping,
   type Material,
+  MathUtils,
   type Mesh,
   PerspectiveCamera,
   Scene,
@@ -21,7 +22,7 @@ import {
 import { WebGPURenderer } from 'three/webgpu'
 import type { Face } from './face.ts'
 import { isWebGL, type Lighting, lightScene } from './light.ts'
-import { frameView, type ViewName } from './views.ts'
+import { type CloseUp, frameCloseUp, frameView, type ViewName } from './views.ts'
 
 export type RendererKind = 'webgl' | 'webgpu'
 export type Renderer = WebGLRenderer | WebGPURenderer
@@ -33,9 +34,9 @@ export interface Stage {
   backend: 'WebGL 2' | 'WebGPU'
   scene: Scene
   camera: PerspectiveCamera
-  /** See `Lighting.key`. */
+  /** Key light, see `Lighting.key`. */
   key: Lighting['key']
-  /** Replaces the shown face, without wrinkles. */
+  /** Replaces the face in the scene. Does not add wrinkles. */
   show(face: Face): void
   /** Adds wrinkles to a face. Callers must dispose of them. */
   addWrinkles(
@@ -43,8 +44,8 @@ export interface Stage {
     loaded: Pick<LoadedWrinkles, 'set' | 'drivers'>,
     options?: WrinklesOptions,
   ): Wrinkles
-  /** Moves the camera to a view, and rotates the lights with the face. Returns the point that the camera looks at. */
-  view(view: ViewName | Required<FaceView>): Vector3
+  /** Moves the camera to a view of the face, and rotates the lights so that they light its front. Returns the point that the camera looks at. */
+  view(view: ViewName | Required<FaceView> | CloseUp): Vector3
   /** @param pixelRatio device pixels per CSS pixel. */
   resize(width: number, height: number, pixelRatio?: number): void
   render(): void
@@ -89,8 +90,10 @@ export async function createStage(canvas: HTMLCanvasElement, kind: RendererKind)
       return wrinkles
     },
     view(view) {
-      const { target, front } = frameView(shown?.root ?? scene, camera, view)
-      lighting.turn(front)
+      const face = shown?.root ?? scene
+      const isCloseUp = typeof view === 'object' && 'point' in view
+      const { target, front } = isCloseUp ? frameCloseUp(face, camera, view) : frameView(face, camera, view)
+      lighting.turn(front + (isCloseUp ? MathUtils.degToRad(view.light) : 0))
       return target
     },
     resize(width, height, pixelRatio = 1) {
@@ -107,7 +110,7 @@ export async function createStage(canvas: HTMLCanvasElement, kind: RendererKind)
   }
 }
 
-/** Gives other meshes with the skin's material, e.g. eyes, a plain copy of it. */
+/** Clones the material for other meshes that share it with the skin, e.g. eyes, so that they show no wrinkles. */
 function separateMaterial({ root, skin, parts }: Face): void {
   const { material } = skin
   if (Array.isArray(material)) return

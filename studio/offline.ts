@@ -6,8 +6,8 @@ import { type Plugin, transformWithOxc } from 'vite'
 const WORKER = fileURLToPath(new URL('./src/offline/service-worker.ts', import.meta.url))
 
 /**
- * Writes `service-worker.js`, which caches the page, into a build. Replaces `FILES` by the list of files to cache, and `VERSION` by the
- * hash of all files. Workbox does the same, with 250 packages.
+ * Adds `service-worker.js`, which lets the page work offline, to a build. In its source, replaces `FILES` by the list of files to cache, and
+ * `VERSION` by the hash of all files. Workbox could do this, but depends on 250 packages.
  *
  * @param isKept whether a file is cached in advance. Other files are cached at their first request.
  */
@@ -15,7 +15,7 @@ export function offline(isKept: (path: string) => boolean): Plugin {
   return {
     name: 'furrow-offline',
     apply: 'build',
-    // After all other plugins have added their files.
+    // Run after all other plugins, to see the files that they add.
     enforce: 'post',
     async generateBundle(_, bundle) {
       const files = Object.keys(bundle).filter(isKept).sort()

@@ -2,11 +2,11 @@ import { readdir, readFile } from 'node:fs/promises'
 import { join } from 'node:path'
 import type { Plugin } from 'vite'
 
-/** Serves `/examples/NAME.html` beside the studio in development. */
+/** Makes the studio's development server also serve the example pages, as `/examples/NAME.html`. */
 export function serveExamples(folder: string): Plugin {
   return {
     name: 'furrow-examples',
-    // An inline script is a virtual module, so resolve its relative imports against the examples folder.
+    // Vite turns an inline script into a virtual module, which has no folder. Resolve its relative imports in the examples folder.
     resolveId(source, importer) {
       return source.startsWith('./') && importer?.includes('/examples/') && importer.includes('html-proxy')
         ? join(folder, source)

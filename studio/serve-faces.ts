@@ -12,7 +12,6 @@ const TYPES: Record<string, string> = {
   '.webp': 'image/webp',
 }
 
-/** Prints a warning. */
 type Warn = (text: string) => void
 
 /** Serves the shipped faces under `/faces/` and copies them into a build. `/faces/index.json` lists their names. */
@@ -62,7 +61,7 @@ function pathOf(url: string): string | undefined {
   }
 }
 
-/** Lists models with blendshapes, which excludes a hand, for example. */
+/** Lists the names of models that have blendshapes. Other models, such as a hand, are not faces. */
 async function faceNames(folder: string, warn: Warn): Promise<string[]> {
   const files = (await facePaths(folder)).filter((path) => extname(path) === '.glb' && !path.includes('/'))
   const hasShapes = await Promise.all(
@@ -94,7 +93,10 @@ async function hasBlendshapes(path: string): Promise<boolean> {
   return meshes.some(({ primitives }) => primitives.some(({ targets }) => (targets?.length ?? 0) > 0))
 }
 
-/** Lists files that a page can request, with slashes. Excludes the scripts that build faces, and links, which can leave the folder. */
+/**
+ * Lists the paths (with `/`) of the files that a page can request. Excludes the scripts that build faces. Excludes symbolic links, which can
+ * lead out of the folder.
+ */
 async function facePaths(folder: string): Promise<string[]> {
   const entries = await readdir(folder, { recursive: true, withFileTypes: true })
   return entries

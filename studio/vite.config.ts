@@ -8,7 +8,7 @@ import { serveFaces } from './serve-faces.ts'
 
 const folder = (path: string) => fileURLToPath(new URL(path, import.meta.url))
 
-/** Whether a file is cached in advance: everything except most faces. */
+/** Whether the service worker caches a file in advance. Excludes all faces except one. */
 const isKept = (path: string) => !path.startsWith('faces/') || /^faces\/(index\.json|human\.glb)$/.test(path)
 
 export default defineConfig({
@@ -25,7 +25,7 @@ export default defineConfig({
   ],
   resolve: SOURCES.resolve,
   optimizeDeps: {
-    // A dependency found late would reload the page during work, so all are listed. Others are served unbundled.
+    // If Vite discovers a dependency late, it reloads the page, and the user loses work. So bundle only the dependencies in this list.
     noDiscovery: true,
     include: [
       'three',
@@ -62,18 +62,18 @@ export default defineConfig({
       'gltf-validator',
       'meshoptimizer/decoder',
     ],
-    // These packages load WebAssembly relative to their modules.
+    // These packages load WebAssembly from the folder of their modules. Bundling would move the modules.
     exclude: ['ktx2-encoder', '@bokuweb/zstd-wasm'],
   },
-  // Workers use dynamic imports.
+  // Workers use dynamic imports, which need this format.
   worker: { format: 'es' },
   server: { fs: { allow: [folder('..')] } },
-  // The page bundles three.js with both renderers.
   build: {
     outDir: folder('dist'),
     emptyOutDir: true,
+    // Kilobytes. The page contains three.js with both renderers.
     chunkSizeWarningLimit: 2500,
-    // First versions with `light-dark()`. Its polyfill does not support a dark stage on a light page.
+    // First browsers that support `light-dark()`. Vite's replacement for older browsers would not allow a dark stage on a light page.
     cssTarget: ['chrome123', 'firefox120', 'safari17.5'],
   },
 })

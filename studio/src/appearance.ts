@@ -9,19 +9,17 @@ const KEY = 'appearance'
 const { dataset } = document.documentElement
 const appearance = signal(isAppearance(dataset.appearance) ? dataset.appearance : 'system')
 
-/** Returns the chosen colour scheme. */
 export function chosenAppearance(): Appearance {
   return appearance.value
 }
 
-/** Sets and stores the colour scheme. */
 export function chooseAppearance(next: Appearance): void {
   appearance.value = next
   dataset.appearance = next
   try {
     localStorage.setItem(KEY, next)
   } catch {
-    // Without storage, the choice applies to this visit.
+    // If the browser blocks storage, the choice lasts until the page closes.
   }
 }
 

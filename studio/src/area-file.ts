@@ -2,9 +2,9 @@ import { type Area, type AreaConvention, areaWeights } from 'furrow'
 import { decodeImage, toGray } from 'furrow/three'
 
 /**
- * Reads a painted gray image as an area with the name of its file.
+ * Reads a gray image as an area of influence, named like the file.
  *
- * @throws FurrowError if the file is not an image or cannot be an area.
+ * @throws FurrowError if the file is not an image, or the image is not valid as an area.
  */
 export async function readArea(file: File, convention: AreaConvention): Promise<Area> {
   const image = await decodeImage(file, file.name)

@@ -1,17 +1,17 @@
 import { type ShortcutName, shortcutOf } from './shortcuts.ts'
 
-/** Movement per key press, small and large, in fractions of the width. */
+/** Movement per key press, without and with Shift, in fractions of the stage's width. */
 const STEP = 0.02
 const LARGE_STEP = 0.1
 
-/** Divider between the two sides, a slider for pointer and keyboard. */
+/** Divider on the stage: a vertical line. Left of it, the face is drawn without wrinkles. Pointer and keyboard move the divider. */
 export class Divider {
   readonly #element: HTMLElement
   readonly #stage: HTMLElement
   readonly #onMove: (position: number) => void
   #position = 0.5
 
-  /** @param element element of role slider, positioned by the custom property `--split` of `stage`. */
+  /** @param element has the role `slider`. CSS positions it by the property `--split`, which this class sets on `stage`. */
   constructor(element: HTMLElement, stage: HTMLElement, onMove: (position: number) => void) {
     this.#element = element
     this.#stage = stage
@@ -22,12 +22,12 @@ export class Divider {
     this.move(0.5)
   }
 
-  /** Fraction of the width without wrinkles, 0..1. */
+  /** Position of the divider, 0 (left edge of the stage) to 1 (right edge). */
   get position(): number {
     return this.#position
   }
 
-  /** @param position fraction of the width without wrinkles, clamped to 0..1. */
+  /** @param position position of the divider, clamped to 0..1. */
   move(position: number): void {
     this.#position = Math.min(1, Math.max(0, position))
     const percent = Math.round(this.#position * 100)
@@ -43,7 +43,7 @@ export class Divider {
     this.#element.focus({ preventScroll: true })
     this.#element.setPointerCapture(event.pointerId)
     const { left, width } = this.#stage.getBoundingClientRect()
-    // Keeps the grabbed point of the line under the pointer.
+    // Keep the distance between pointer and divider, so that the divider does not jump.
     const grabOffset = event.clientX - left - this.#position * width
     const drag = (move: PointerEvent) => this.move((move.clientX - left - grabOffset) / width)
     const drop = () => {

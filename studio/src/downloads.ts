@@ -17,7 +17,6 @@ export class Downloads {
     this.#messages = messages
   }
 
-  /** Saves the exported face. */
   saveExport(): void {
     const state = this.#workspace.exporting.state.peek()
     if (state?.kind === 'done') saveFile(new Blob([state.face.bytes as BlobPart]), state.name)
@@ -38,12 +37,11 @@ export class Downloads {
     })
   }
 
-  /** Saves the project to its folder, or else as a file. */
+  /** Saves the project to its folder if it has one, otherwise as a .zip file. */
   save(): Promise<unknown> {
     return this.#saving.folder.peek() ? this.saveToFolder(false) : this.saveProject()
   }
 
-  /** Copies text to the clipboard. */
   copyCode(text: string): Promise<unknown> {
     return this.#messages.attempt(async () => {
       await navigator.clipboard.writeText(text)
@@ -51,7 +49,6 @@ export class Downloads {
     })
   }
 
-  /** Saves a picture of the stage. */
   savePicture(viewer: Viewer | null, expression: string | null): Promise<unknown> {
     return this.#messages.attempt(async () => {
       if (!viewer) return

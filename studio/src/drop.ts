@@ -1,7 +1,7 @@
 /**
- * Accepts files dropped or pasted on the page. `overlay` is visible while files are dragged over it.
+ * Accepts files that the user drops or pastes on the page. `overlay` is visible while the user drags files over the page.
  *
- * @param onFiles must read its argument synchronously.
+ * @param onFiles must read its argument synchronously, because browsers empty it after the event.
  */
 export function acceptFiles(overlay: HTMLElement, onFiles: (files: DataTransfer) => void): void {
   const hasFiles = (event: DragEvent) => event.dataTransfer?.types.includes('Files') ?? false
@@ -18,7 +18,7 @@ export function acceptFiles(overlay: HTMLElement, onFiles: (files: DataTransfer)
   addEventListener('drop', (event) => {
     if (!hasFiles(event)) return
     overlay.hidden = true
-    // An element of the page handled the drop.
+    // Another element has already handled the drop.
     if (event.defaultPrevented) return
     event.preventDefault()
     onFiles(event.dataTransfer!)

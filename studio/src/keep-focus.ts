@@ -2,10 +2,10 @@ const FOCUSABLE =
   'button:not(:disabled), input:not(:disabled), select:not(:disabled), textarea, summary, [tabindex="0"]'
 
 /**
- * Keeps the keyboard focus on the page. If the focused element is removed, the focus moves to the element in its place, or else to the
- * previously focused one. Examples: a deleted row, a form removed by undo, a dismissed message.
+ * Moves the keyboard focus when the focused element is removed, disabled or hidden, for example by deleting a row. The new focus is an element
+ * near the removed one. If there is none, the focus returns to the element that had it earlier.
  *
- * @param page root of all focusable elements, in landmarks.
+ * @param page element that contains all focusable elements.
  */
 export function keepFocus(page: HTMLElement): void {
   let held: Held | null = null
@@ -19,7 +19,7 @@ export function keepFocus(page: HTMLElement): void {
   })
   page.addEventListener('focusout', ({ target, relatedTarget }) => {
     const { isConnected } = target as HTMLElement
-    // The user left the element. Browsers send the same event before or during the removal of an element.
+    // Browsers also send this event when they remove the focused element. If the element is still connected later, the user has moved the focus.
     queueMicrotask(() => {
       if (!relatedTarget && isConnected && (target as HTMLElement).isConnected) held = null
     })
@@ -37,7 +37,10 @@ export function keepFocus(page: HTMLElement): void {
   })
 }
 
-/** Focused element and its position: its ancestors up to the landmark, each with the index of the child that contains it. */
+/**
+ * Focused element and its position on the page: its ancestors below the landmark (`main`, `aside` or `dialog`), each with the index of the
+ * child that contains the element.
+ */
 interface Held {
   readonly element: HTMLElement
   readonly path: readonly (readonly [ancestor: Element, index: number])[]
@@ -50,7 +53,7 @@ function hold(element: HTMLElement): Held {
     path.push([child.parentElement, [...child.parentElement.children].indexOf(child)])
     child = child.parentElement
   }
-  // Exclude the landmark: its children are unrelated.
+  // Exclude the landmark, because its children are unrelated to each other.
   return { element, path: path.slice(0, -1) }
 }
 
@@ -58,7 +61,7 @@ function isFocusable(element: HTMLElement): boolean {
   return element.isConnected && !element.matches(':disabled') && element.checkVisibility()
 }
 
-/** Finds the element at a former position: of the same class in the next row if possible, or else the nearest. */
+/** Finds a focusable element near a removed one. In the nearest row, prefers an element with the class of the removed one. */
 function successorOf({ element, path }: Held): HTMLElement | null {
   for (const [ancestor, index] of path) {
     if (!ancestor.isConnected || !ancestor.checkVisibility()) continue

@@ -1,12 +1,12 @@
-/** Waits for a new task, after pending messages and events. */
+/** Lets the browser handle pending messages and events, and resolves in a new task. */
 export function nextTask(): Promise<void> {
   return new Promise((resolve) => setTimeout(resolve))
 }
 
-/** Maximum wait for an idle page, milliseconds: a moving face is never idle. */
+/** Maximum wait in `whenIdle`, milliseconds. A page with a moving face is never idle. */
 const MAX_WAIT = 200
 
-/** Waits for an idle page. */
+/** Resolves when the page is idle, or after `MAX_WAIT`. */
 export function whenIdle(): Promise<void> {
   return new Promise((resolve) => {
     // Safari lacks requestIdleCallback.
@@ -17,7 +17,7 @@ export function whenIdle(): Promise<void> {
 
 let last = Promise.resolve()
 
-/** Queues a task for an idle page, after all queued tasks. Returns a function that cancels it. */
+/** Queues a task until all earlier tasks are done and the page is idle. Returns a function that cancels the task. */
 export function runInTurn(task: () => void): () => void {
   let isWanted = true
   last = last

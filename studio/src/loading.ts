@@ -24,7 +24,7 @@ export class Loading {
   }
 }
 
-/** Lets the browser paint before blocking work. Resolves after 100 ms in a hidden page, which is not painted. */
+/** Waits until the browser has painted. In a hidden page, which is never painted, waits 100 ms. */
 export function nextPaint(): Promise<void> {
   return new Promise((resolve) => {
     requestAnimationFrame(() => setTimeout(resolve))

@@ -1,16 +1,15 @@
-/** Content of a render loop. */
 export interface Animated {
   /** @param delta seconds since the last frame, 0 after a pause. */
   advance(delta: number): void
   draw(): void
-  /** Whether the next frame changes without input. */
+  /** Whether the next frame will differ from the last one without user input. */
   isMoving(): boolean
 }
 
-/** Maximum step in seconds, to avoid jumps after a stall. */
+/** Maximum time step in seconds, to avoid jumps after a slow frame. */
 const MAX_STEP = 0.1
 
-/** Render loop that draws only changes and motion. */
+/** Render loop. Draws after each change, and continuously while the animation moves. */
 export class Loop {
   readonly #animated: Animated
   readonly #onFrame: (cpu: number, interval: number | null) => void

@@ -7,7 +7,7 @@ export class Messages {
   readonly #notes: HTMLElement
   #noteTimer = 0
 
-  /** @param errors live region of role alert; `notes` has role status. */
+  /** @param errors element with the role `alert`. @param notes element with the role `status`. */
   constructor(errors: HTMLElement, notes: HTMLElement) {
     this.#errors = errors
     this.#notes = notes

@@ -1,8 +1,8 @@
 /** Number of frames in the graph and in the medians. */
 const FRAMES = 60
-/** Milliseconds at full height of the graph: one frame at 60 Hz. */
+/** CPU time at the full height of the graph, milliseconds: one frame at 60 Hz. */
 const FULL_SCALE = 1000 / 60
-/** Frames between two updates of the text, to keep it legible. */
+/** Frames between two updates of the text. Faster updates would be illegible. */
 const UPDATE_INTERVAL = 6
 
 /** Shows the median CPU time of a frame, frames per second while moving, and a graph of the CPU times. */

@@ -32,13 +32,10 @@ export interface PanelParts {
   downloads: Downloads
   link: PageLink
   messages: Messages
-  /** Names of the shipped faces. */
   faces: ReadonlySignal<readonly string[]>
-  /** Whether the list of shortcuts is open. */
   isListOpen: Signal<boolean>
 }
 
-/** Connects the panels with the application. */
 export function panelModel(parts: PanelParts): PanelModel {
   const { workspace, saving, face, lines, areas, faceAreas, layers, shapes, painting } = parts
   const { opening, host, downloads, link, messages, faces, isListOpen } = parts

@@ -1,4 +1,4 @@
-/** Downloads a file. */
+/** Offers a file to the user as a download. */
 export function saveFile(file: Blob, name: string): void {
   const link = document.createElement('a')
   link.href = URL.createObjectURL(file)

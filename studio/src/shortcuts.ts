@@ -1,17 +1,16 @@
-/** Shortcut: alternative keys and their description. */
 interface Shortcut {
-  /** As in `KeyboardEvent.key`, after `Mod+` (Control, or Command on a Mac) and `Shift+`. */
+  /** Values of `KeyboardEvent.key`, with the prefixes `Mod+` (Control, or Command on a Mac), `Alt+` and `Shift+`. */
   readonly keys: readonly string[]
   readonly label: string
 }
 
-/** All shortcuts by scope, for handling keys and for the list of shortcuts. */
+/** All shortcuts, by scope. A scope is the tool or the element that handles the shortcuts. */
 export const SHORTCUTS = {
   everywhere: {
     undo: { keys: ['Mod+z'], label: 'Undo' },
     redo: { keys: ['Mod+Shift+z', 'Mod+y'], label: 'Redo' },
-    save: { keys: ['Mod+s'], label: 'Save the project, to its folder where it has one' },
-    cancel: { keys: ['Escape'], label: 'Take back what the pointer is doing' },
+    save: { keys: ['Mod+s'], label: 'Save the project (to its folder, if it has one)' },
+    cancel: { keys: ['Escape'], label: 'Cancel the gesture of the pointer' },
     list: { keys: ['?'], label: 'Show this list' },
   },
   face: {
@@ -79,7 +78,7 @@ export function shortcutOf<S extends Scope>(scope: S, event: KeyboardEvent): Sho
   return entries.find(([, { keys }]) => keys.includes(pressed))?.[0] as ShortcutName<S> | undefined
 }
 
-/** Handles the shortcuts that work everywhere, and prevents the browser's own. */
+/** Handles the shortcuts of the scope `everywhere`. Prevents the browser's default actions for these keys. */
 export function addShortcuts(
   actions: Record<Exclude<ShortcutName<'everywhere'>, 'cancel'>, () => void>,
 ): void {
@@ -92,10 +91,10 @@ export function addShortcuts(
   })
 }
 
-/** Returns a key as in the table. Includes Shift only if it does not change the character. */
+/** Returns pressed keys in the notation of `SHORTCUTS`. Includes Shift only with `Mod+` and with keys that type no character. */
 function keyOf(event: KeyboardEvent): string {
   const { key, altKey, ctrlKey, metaKey, shiftKey } = event
-  // Keyboards with brackets on AltGr also report Control and Alt.
+  // AltGr also sets `ctrlKey` and `altKey`. Some keyboards type brackets with it.
   const isCharacter = event.getModifierState('AltGraph')
   const isModified = !isCharacter && (ctrlKey || metaKey)
   const name = key.length === 1 ? key.toLowerCase() : key
@@ -104,7 +103,7 @@ function keyOf(event: KeyboardEvent): string {
   return `${isModified ? 'Mod+' : ''}${alt}${shift}${name}`
 }
 
-/** Whether an element handles a key itself, as text or to choose from a list. */
+/** Whether an element uses a key itself, to type text or to choose from a list. */
 function isTyped(pressed: string, target: EventTarget | null): boolean {
   if (typeof HTMLInputElement === 'undefined') return false
   if (target instanceof HTMLTextAreaElement) return true

@@ -30,12 +30,12 @@ import { ToolHost } from './tools/tool-host.ts'
 import { adapterName } from './viewer/adapter.ts'
 import { DocumentView, type DrawnDocument } from './viewer/document-view.ts'
 import { listFaces } from './viewer/faces.ts'
-import { lookLabel } from './viewer/looks/looks.ts'
+import { lookLabel } from './viewer/looks/look.ts'
 import { ShownFace } from './viewer/shown-face.ts'
 import type { Viewer } from './viewer/viewer.ts'
 import { ViewerHost } from './viewer/viewer-host.ts'
 
-/** The application: connects the parts of the page. */
+/** Application: creates all parts of the studio and connects them. */
 export class Studio {
   readonly #page: Page
   readonly #messages: Messages
@@ -146,10 +146,11 @@ export class Studio {
       session,
       areas,
       painting: this.#painting,
+      lines: this.#lines,
       viewer: this.#face.viewer,
       attempt,
     })
-    // Only one tool at a time.
+    // Painting ends the editing of lines, and editing lines ends painting.
     effect(() => {
       if (this.#painting.area.value !== null) this.#lines.editor.mode.value = 'off'
     })
@@ -209,7 +210,10 @@ export class Studio {
     acceptFiles(page.dropping, (files) => this.#opening.openFiles(() => filesOfTransfer(files)))
   }
 
-  /** Lists the faces and opens the first, or the one in the URL: `?renderer=webgpu&face=human-2`. */
+  /**
+   * Opens the model of the link in the URL's hash. Without such a model, opens the shipped face that the query names (`?face=human-2`), or the
+   * first shipped face. `?renderer=webgpu` chooses the renderer.
+   */
   async start(): Promise<void> {
     this.#loading.show('Listing faces')
     await this.#messages.attempt(async () => {
@@ -230,7 +234,7 @@ export class Studio {
   }
 
   #show(viewer: Viewer): void {
-    // Batched, so that the old document is never shown on the new face.
+    // Batch the changes, so that the old document is never shown on the new face.
     batch(() => {
       void this.#messages.attempt(() => this.#workspace.open(viewer.avatar))
       this.#face.show(viewer)
@@ -239,7 +243,7 @@ export class Studio {
     this.#meter.reset()
   }
 
-  /** Shows the document. A face with its own wrinkles and without a document is left as is. */
+  /** Shows the wrinkles of the document. Without a document, keeps the wrinkles of the avatar's file. */
   #showDocument(viewer: Viewer | null, drawn: DrawnDocument | null): void {
     if (!viewer || (!drawn && viewer.avatar.skins[viewer.avatar.skin].wrinkles)) return
     const wasPlain = !viewer.wrinkles
@@ -247,7 +251,7 @@ export class Studio {
       .attempt(() => this.#view.show(viewer, drawn))
       .then(async () => {
         const isOther = wasPlain === !!viewer.wrinkles
-        // Yield first: framing reads all blendshapes.
+        // Framing reads all blendshapes and blocks the page, so let the browser handle pending events first.
         if (isOther) await nextTask()
         if (isOther && viewer === this.#viewer) this.#host.orbit?.frame()
         this.#face.refresh()
@@ -266,7 +270,7 @@ export class Studio {
     return this.#face.isMoving || (this.#host.orbit?.isMoving ?? false)
   }
 
-  /** Whether the pointer paints or draws, which pauses the face. */
+  /** Whether the user paints an area or edits lines. The face then keeps its pose. */
   get #isEdited(): boolean {
     return this.#painting.area.value !== null || this.#lines.editor.mode.value !== 'off'
   }
@@ -276,7 +280,7 @@ export class Studio {
     this.#loop.wake()
   }
 
-  /** Hides muted areas. While editing, shows the complete face with wrinkles. */
+  /** Hides muted areas. While the user paints or edits lines, shows wrinkles on both sides of the divider. */
   #arrange(viewer: Viewer | null, hidden: readonly string[], isEdited: boolean): void {
     if (!viewer) return
     viewer.hidden = hidden
@@ -284,7 +288,6 @@ export class Studio {
     this.#loop.wake()
   }
 
-  /** Updates the labels of look, renderer and device. */
   #label(): void {
     const viewer = this.#viewer
     if (!viewer) return

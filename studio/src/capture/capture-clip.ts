@@ -4,7 +4,8 @@ import { AnimationClip, type Mesh, NumberKeyframeTrack, type Object3D } from 'th
 import type { Capture } from './live-link-face.ts'
 
 /**
- * Converts a capture to key frames for every mesh that has its blendshapes, in any spelling that drivers accept.
+ * Converts a facial capture to an animation clip for all meshes of `face` that have any of its blendshapes. The names of blendshapes can have
+ * any spelling that drivers accept.
  *
  * @throws FurrowError if the face has none of the blendshapes.
  */

@@ -1,7 +1,8 @@
 /**
- * Replaces each NaN. Gaps between two numbers are interpolated; gaps at either end continue from the nearest number by `step`.
+ * Replaces each NaN in a list. Between two numbers, interpolates linearly. Before the first number and after the last one, the new values
+ * increase by `step` per element.
  *
- * @returns new array. If all values are NaN, it counts from 0 by `step`.
+ * @returns new array. If all values are NaN, it contains 0, `step`, `2 * step` and so on.
  */
 export function fillGaps(values: readonly number[], step: number): number[] {
   const filled = [...values]

@@ -1,7 +1,7 @@
 /**
- * Streams the lines of a text file, without line endings (`\n`, `\r\n` or `\r`) and byte order mark.
+ * Yields the lines of a text file, without byte order mark and line endings (`\n`, `\r\n` or `\r`).
  *
- * @param longest characters after which a line is split.
+ * @param longest number of characters to keep in memory. A line that is longer may be split.
  */
 export async function* linesOf(file: Blob, longest: number): AsyncGenerator<string> {
   const decoder = new TextDecoder()
@@ -12,7 +12,7 @@ export async function* linesOf(file: Blob, longest: number): AsyncGenerator<stri
       const { done, value } = await reader.read()
       isLast = done
       const text = rest + decoder.decode(value, { stream: !done })
-      // The next chunk may begin with the `\n` of this `\r`.
+      // Keep a final `\r` for the next chunk, which may begin with `\n`.
       const lines = text.split(/\r\n|\n|\r(?!$)/)
       rest = isLast ? '' : lines.pop()!
       yield* lines

@@ -3,27 +3,27 @@ import { fillGaps } from './fill-gaps.ts'
 import { linesOf } from './lines-of.ts'
 import { parseTimecode, secondsSinceFirst, type Timecode } from './timecode.ts'
 
-/** Blendshapes of a face over time, captured by a camera. */
+/** Facial capture: weights of blendshapes over time. */
 export interface Capture {
   /** File name without extension. */
   readonly name: string
   /** Seconds since the first frame, strictly increasing; at least two. */
   readonly times: Float32Array
-  /** Weights, 0..1, one per time, by blendshape name as in the file. */
+  /** Weights of each blendshape at `times`, 0..1. The keys are blendshape names as in the file. */
   readonly weights: ReadonlyMap<string, Float32Array>
 }
 
 /** Maximum file size in bytes, characters per line, and frames (over half an hour at 60 fps). */
 const MAX = { bytes: 128 * 2 ** 20, line: 65_536, frames: 120_000 } as const
 const SEPARATORS = [',', ';', '\t'] as const
-/** Rotations of the head and the eyes. Skipped: the app also exports the gaze as blendshapes. */
+/** Columns with rotations of the head and the eyes. The reader skips these columns. Blendshapes already contain the gaze. */
 const ROTATION = /^(Head|LeftEye|RightEye)(Yaw|Pitch|Roll)$/i
 
 /**
  * Reads a CSV export of the iOS app Live Link Face: a header (`Timecode,BlendShapeCount,EyeBlinkLeft, ...,HeadYaw, ...`), then one
  * row per frame. Columns can be missing and in any order. Decimal commas are accepted if another character separates columns.
- * Drops frames that are not later than the previous one, and a truncated last row. Interpolates blank cells, and timecodes that are
- * integers.
+ * Drops a truncated last row, and frames whose time is not later than the time of the frame before. Interpolates the values of blank cells.
+ * Also interpolates the time of a frame if its timecode is blank or an integer.
  *
  * Rejects with a FurrowError if the file has another format or contains an invalid number.
  */
@@ -47,18 +47,18 @@ export async function readLiveLinkFace(file: File): Promise<Capture> {
   return table.finish()
 }
 
-/** Parser state: the rows read so far. */
+/** Parser of the CSV, row by row. */
 class Table {
   readonly #file: File
   readonly #separator: string
   readonly #names: readonly string[]
   /** Index of the timecode column, or -1. */
   readonly #timecode: number
-  /** Columns of blendshapes; NaN for blank cells. */
+  /** Columns of blendshapes. Blank cells are NaN. */
   readonly #columns: readonly { name: string; index: number; values: number[] }[]
   readonly #timecodes: (Timecode | null)[] = []
   #rows = 0
-  /** Row with missing cells. Allowed only as the last row. */
+  /** Number of the frame whose row has too few cells, or null. Only the last row may have too few cells. */
   #short: number | null = null
 
   constructor(file: File, header: string) {
@@ -112,14 +112,14 @@ class Table {
     }
   }
 
-  /** Reads the frame's timecode, or counts at 60 fps if there is no such column. Returns null for a blank cell or an integer. */
+  /** Returns the timecode of the current row, or null for a blank cell or an integer. Without timecodes, assumes 60 fps. */
   #timecodeOf(cells: readonly string[]): Timecode | null {
     if (this.#timecode < 0)
       return { seconds: Math.floor((this.#rows - 1) / 60), frames: (this.#rows - 1) % 60 }
     const text = cells[this.#timecode]
     if (/^\d*$/.test(text)) return null
     const timecode = parseTimecode(text)
-    if (!timecode) throw this.#rowError(this.#rows, 'its timecode', text, 'HH:MM:SS:FF')
+    if (!timecode) throw this.#rowError(this.#rows, 'invalid timecode', text, 'HH:MM:SS:FF')
     return timecode
   }
 
@@ -137,7 +137,6 @@ class Table {
   }
 }
 
-/** Strips whitespace and quotes from a cell. */
 function unquote(cell: string): string {
   return cell.trim().replace(/^"(.*)"$/, '$1')
 }

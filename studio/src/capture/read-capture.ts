@@ -1,9 +1,10 @@
 import { type Capture, readLiveLinkFace } from './live-link-face.ts'
 
 /**
- * Reads the longest capture among the tables of a take. The app adds tables of calibration and logs.
+ * Reads the CSV files of a recording by the app Live Link Face, and returns the longest capture. Skips files that contain no capture, such
+ * as calibration and logs.
  *
- * @param tables at least one. Rejects with the first table's FurrowError if none is a capture.
+ * @param tables at least one CSV file. If none is a capture, the promise rejects with the FurrowError of the first file.
  */
 export async function readCapture(tables: readonly File[]): Promise<Capture> {
   const results = await Promise.allSettled(tables.map(readLiveLinkFace))

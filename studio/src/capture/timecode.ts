@@ -1,15 +1,15 @@
 import { fillGaps } from './fill-gaps.ts'
 
-/** Frame rates of cameras. The last one is the app's default. */
+/** Frame rates of cameras, frames per second. The last one is the default of the app Live Link Face. */
 const RATES = [24, 25, 30, 48, 50, 60] as const
 /** Seconds per day, after which timecodes wrap around. */
 const DAY = 86_400
 
-/** Timecode of a frame. */
+/** Time of day at which a frame was captured. */
 export interface Timecode {
   /** Integer seconds since midnight. */
   seconds: number
-  /** Frames within the second, with a fraction. */
+  /** Number of the frame within the second. Can have a fraction. */
   frames: number
 }
 
@@ -22,8 +22,8 @@ export function parseTimecode(text: string): Timecode | null {
 }
 
 /**
- * Converts timecodes to seconds since the first one, across midnight. Infers the frame rate from the largest frame number.
- * Interpolates unknown timecodes.
+ * Converts timecodes to seconds since the first one. The recording can pass midnight. Infers the frame rate from the largest frame number.
+ * Interpolates unknown timecodes, which are null.
  */
 export function secondsSinceFirst(timecodes: readonly (Timecode | null)[]): number[] {
   const known = timecodes.filter((timecode) => timecode !== null)
@@ -43,7 +43,7 @@ export function secondsSinceFirst(timecodes: readonly (Timecode | null)[]): numb
 function rateOf(timecodes: readonly Timecode[]): number {
   const [first] = timecodes
   const isWithinSecond = timecodes.every(({ seconds }) => seconds === first.seconds)
-  // Within one second, the frame rate is unknown.
+  // Timecodes within one second do not show the frame rate.
   if (isWithinSecond) return RATES.at(-1)!
   const largest = timecodes.reduce((most, { frames }) => Math.max(most, Math.floor(frames)), 0)
   return RATES.find((rate) => largest < rate) ?? largest + 1

@@ -8,10 +8,14 @@ import { otherSide } from './sides.ts'
 import { removeShapes, renameInShapes } from './stroke-areas.ts'
 import { edited } from './strokes.ts'
 
-/** Area fields that are set without further changes. */
+/** Fields of an area that `setArea` can change. */
 export type AreaFields = Partial<Pick<StudioArea, 'layer' | 'combine' | 'activation'>>
 
-/** @throws FurrowError if the name is taken, the layer is unknown, the weights have another size, or there are 256 areas. */
+/**
+ * Adds an area of influence.
+ *
+ * @throws FurrowError if the name is taken, the layer is unknown, the size of the weights is not `areaSize`, or there are already 256 areas.
+ */
 export function addArea(document: StudioDocument, area: StudioArea): StudioDocument {
   checkNewName(document.areas, area.name, 'area')
   findNamed(document.layers, area.layer, 'layer')
@@ -20,7 +24,6 @@ export function addArea(document: StudioDocument, area: StudioArea): StudioDocum
   return { ...document, areas: [...document.areas, area] }
 }
 
-/** Adds an empty area on the first layer. */
 export function addEmptyArea(document: StudioDocument, name: string): StudioDocument {
   const { areaSize: side, layers } = document
   const weights = { width: side, height: side, data: new Uint8Array(side * side) }
@@ -39,13 +42,13 @@ export function removeArea(document: StudioDocument, name: string): StudioDocume
   }
 }
 
-/** Renames an area, also in drivers, strokes and stroke areas. */
+/** Renames an area, also where drivers, strokes and `strokeAreas` refer to it. */
 export function renameArea(document: StudioDocument, name: string, newName: string): StudioDocument {
   if (newName === name) return document
   checkNewName(document.areas, newName, 'area')
   return {
     ...document,
-    // A renamed area is no longer automatic: `remake` finds automatic areas by name.
+    // Mark the area as hand-edited. Otherwise, new automatic wrinkles would replace it by an area with the old name.
     areas: replaceNamed(document.areas, name, 'area', ({ isAutomatic: _, ...area }) => ({
       ...area,
       name: newName,
@@ -58,7 +61,7 @@ export function renameArea(document: StudioDocument, name: string, newName: stri
   }
 }
 
-/** Copies an area and the drivers that activate it, under a free name. */
+/** Copies an area and the drivers that activate it. The copy gets a free name. */
 export function duplicateArea(document: StudioDocument, name: string): StudioDocument {
   const copy = freeName(document.areas, name)
   const { isAutomatic: _, ...area } = findNamed(document.areas, name, 'area')
@@ -67,8 +70,8 @@ export function duplicateArea(document: StudioDocument, name: string): StudioDoc
 }
 
 /**
- * Mirrors an area to the other side of the face. Replaces the weights of the area with the mirrored name, or adds that area, with
- * drivers that read the blendshapes of the other side.
+ * Mirrors an area to the other side of the face. If an area with the mirrored name exists, for example `browRight` for `browLeft`, replaces its
+ * weights. Otherwise adds an area with this name, and drivers that read the mirrored blendshapes.
  *
  * @param weights mirror image of the area's weights.
  */
@@ -81,7 +84,7 @@ export function mirrorArea(document: StudioDocument, name: string, weights: Gray
   return { ...added, drivers: [...document.drivers, ...drivers] }
 }
 
-/** Returns the name of an area's mirror image. */
+/** Returns the name of an area's mirror image: with the side swapped, or a free name if the name has no side. */
 export function mirroredName({ areas }: StudioDocument, name: string): string {
   const other = otherSide(name)
   return other === name ? freeName(areas, name) : other
@@ -97,7 +100,7 @@ export function setArea(document: StudioDocument, name: string, fields: AreaFiel
   }
 }
 
-/** Replaces the weights of an area with painted ones. The area is then no longer automatic. */
+/** Replaces the weights of an area by painted ones, and marks the area as hand-edited. */
 export function paintArea(document: StudioDocument, name: string, weights: GrayImage): StudioDocument {
   checkSize(document, weights)
   const paint = ({ isAutomatic: _, ...area }: StudioArea) => ({ ...area, weights })

@@ -1,6 +1,6 @@
-import { FurrowError } from 'furrow'
+import { FurrowError, type GrayImage } from 'furrow'
 import type { AutoWrinkles } from 'furrow/author'
-import { autoDrivers, MAX_LAYERS, strokesOf } from 'furrow/internal'
+import { autoDrivers, halfSide, MAX_LAYERS, strokesOf } from 'furrow/internal'
 import {
   type AutoSettings,
   type ImageFile,
@@ -13,23 +13,33 @@ import {
 import { areaOf } from './drivers.ts'
 import { shapesOf } from './stroke-areas.ts'
 
+/** Map of an automatic layer that a document stores as an image. The other maps are drawn from strokes. */
+export interface AutoMaps<Image> {
+  readonly blood: Image
+}
+
+/** Returns the maps to store for each layer, with half the width and height of the normals, as in `furrow auto`. */
+export function autoMaps({ blood }: Pick<AutoWrinkles, 'blood'>): AutoMaps<GrayImage>[] {
+  return blood.maps.map((map) => ({ blood: halfSide(map) }))
+}
+
 /** Layer names that `autoWrinkles` assigns. */
 const AUTOMATIC_LAYER = /^auto\d$/
 
 /**
- * Makes a document of automatic wrinkles: lines as strokes, areas, blood, drivers and expressions.
+ * Makes a document from automatic wrinkles.
  *
  * @param names names of the mesh and the material.
- * @param bloodMaps one encoded map per layer; omitted for previews, which never draw from the document.
+ * @param images encoded maps of each layer. Omit them for previews, which show the maps of `wrinkles` directly.
  */
 export function automaticDocument(
   wrinkles: AutoWrinkles,
   auto: AutoSettings,
   areaSize: number,
   names: Pick<StudioDocument, 'mesh' | 'material'>,
-  bloodMaps: readonly ImageFile[] = [],
+  images: readonly AutoMaps<ImageFile>[] = [],
 ): StudioDocument {
-  const { layers, areas, blood, scale } = wrinkles
+  const { layers, areas, blood, bulges, scale } = wrinkles
   const isAutomatic = true
   return {
     ...names,
@@ -37,14 +47,15 @@ export function automaticDocument(
     mapSize: auto.size,
     areaSize,
     layers: layers.map(
-      ({ name }, i): StudioLayer => ({
+      ({ name, onset }, i): StudioLayer => ({
         ...LAYER_DEFAULTS,
         name,
         bloodAmplitude: blood.amplitude,
-        ...(bloodMaps[i] && { maps: { blood: bloodMaps[i] }, isBloodAutomatic: true }),
+        ...(images[i] && { maps: images[i], isBloodAutomatic: true }),
+        ...(onset && { isOnsetDrawn: true }),
       }),
     ),
-    areas: [...areas, ...blood.areas].map(({ name, layer, weights }): StudioArea => {
+    areas: [...areas, ...blood.areas, ...bulges].map(({ name, layer, weights }): StudioArea => {
       return { name, layer: layers[layer].name, combine: 'sum', activation: 0, weights, isAutomatic }
     }),
     strokes: (strokesOf(wrinkles).strokes as LayerStroke[]).map((stroke) => ({ ...stroke, isAutomatic })),
@@ -54,24 +65,33 @@ export function automaticDocument(
 }
 
 /**
- * Replaces the automatic wrinkles of a document and keeps an artist's work. Kept are painted areas with the strokes of their group, bent
- * strokes, layers with images such as blood maps, and the drivers of kept areas.
+ * Replaces the automatic wrinkles of a document by those in `made`. Keeps the artist's work: painted areas with their drivers and strokes,
+ * edited strokes, and layers with imported images.
  */
 export function remake(document: StudioDocument, made: StudioDocument): StudioDocument {
-  const keptAreas = document.areas.filter((area) => !area.isAutomatic)
-  const keptNames = new Set(keptAreas.map(({ name }) => name))
-  const keptStrokes = document.strokes.filter(
-    ({ isAutomatic, group }) => !isAutomatic || (group !== undefined && keptNames.has(group)),
+  const painted = new Set(document.areas.flatMap(({ name, isAutomatic }) => (isAutomatic ? [] : name)))
+  // If the artist has edited one stroke of a group, keep all strokes of the group. New strokes would cross it, and forks would come apart.
+  const keptGroups = new Set(
+    document.strokes.flatMap(({ isAutomatic, group }) =>
+      !isAutomatic || (group !== undefined && painted.has(group)) ? [group] : [],
+    ),
   )
-  // If one line of a group was bent, the group keeps its other lines too.
-  const keptGroups = new Set(keptStrokes.map(({ group }) => group))
   const stays = ({ group }: LayerStroke) => keptGroups.has(group)
+  const kept = document.strokes.filter(stays)
   const strokes = [
-    ...document.strokes.filter(stays),
-    ...made.strokes.filter((stroke) => !stays(stroke) && !keptNames.has(stroke.group ?? '')),
+    ...kept,
+    ...made.strokes.filter((stroke) => !stays(stroke) && !painted.has(stroke.group ?? '')),
   ]
+  // The automatic area around kept strokes stays, because new areas surround new strokes.
+  const keptAreas = document.areas.filter(
+    ({ name }) => painted.has(name) || kept.some((stroke) => isInGroupOf(stroke, name)),
+  )
+  const keptNames = new Set(keptAreas.map(({ name }) => name))
   const areas = [...keptAreas, ...made.areas.filter(({ name }) => !keptNames.has(name))]
-  // Images keep their size, and strokes are drawn over them.
+  const madeNames = new Set(made.areas.map(({ name }) => name))
+  /** Whether the old drivers of an area stay. Automatic areas get new drivers, if there are any. */
+  const hasOldDrivers = (name: string) => painted.has(name) || (keptNames.has(name) && !madeNames.has(name))
+  // Strokes are drawn over imported images, so the maps keep the size of the images.
   const hasImages = document.layers.some(hasOwnMaps)
   return {
     ...made,
@@ -86,14 +106,14 @@ export function remake(document: StudioDocument, made: StudioDocument): StudioDo
     drivers: [
       ...document.drivers.filter((driver) => {
         const area = areaOf(driver)
-        return area === undefined ? driver.type !== 'expression' : keptNames.has(area)
+        return area === undefined ? driver.type !== 'expression' : hasOldDrivers(area)
       }),
-      ...made.drivers.filter((driver) => !keptNames.has(areaOf(driver) ?? '')),
+      ...made.drivers.filter((driver) => !hasOldDrivers(areaOf(driver) ?? '')),
     ],
   }
 }
 
-/** Returns the number of layers available to automatic wrinkles, beside an artist's own. Throws FurrowError if there is none. */
+/** Returns the maximum number of automatic layers: `MAX_LAYERS` minus the artist's own layers. Throws FurrowError if it is 0. */
 export function maxAutoLayers(document: StudioDocument | null): number {
   const own = (document?.layers ?? []).filter(({ name }) => !AUTOMATIC_LAYER.test(name)).length
   if (own < MAX_LAYERS) return MAX_LAYERS - own
@@ -107,7 +127,7 @@ export function maxAutoLayers(document: StudioDocument | null): number {
   })
 }
 
-/** Moves automatic areas to the layer of their kept lines. */
+/** If `remake` has kept a stroke of an automatic area, moves the area to the layer of the stroke. */
 function restoreLayers(
   areas: readonly StudioArea[],
   document: StudioDocument,
@@ -120,17 +140,20 @@ function restoreLayers(
   })
 }
 
-/** Left and right areas can share one group without a side. */
+/** Whether a stroke belongs to an area. A left and a right area can share one group. The name of the group then has no side. */
 function isInGroupOf({ group }: LayerStroke, area: string): boolean {
   return group === area || group === area.replace(/(Left|Right)$/, '')
 }
 
-/** Whether a layer has maps other than automatic blood. */
+/** Whether a layer has images that `autoWrinkles` did not make. */
 function hasOwnMaps({ maps, isBloodAutomatic }: StudioLayer): boolean {
   return Object.keys(maps).some((map) => map !== 'blood' || !isBloodAutomatic)
 }
 
-/** Merges the used layers of both documents. Existing layers change only in their automatic blood. */
+/**
+ * Joins the layers of two documents. Keeps each layer of `document` that an area or stroke uses, or that has imported images. Replaces only its
+ * automatic blood map, by that of `made`. Then appends layers of `made` that are used and have new names.
+ */
 function joinedLayers(
   document: StudioDocument,
   made: StudioDocument,
@@ -143,7 +166,7 @@ function joinedLayers(
     .filter((layer) => used.has(layer.name) || hasOwnMaps(layer))
     .map((layer) => {
       const other = made.layers.find(({ name }) => name === layer.name)
-      return other ? copyBlood(other, layer, hasSameStrength) : layer
+      return other ? drawOnset(other, copyBlood(other, layer, hasSameStrength)) : layer
     })
   const names = new Set(old.map(({ name }) => name))
   return [...old, ...made.layers.filter(({ name }) => !names.has(name) && used.has(name))].slice(
@@ -152,7 +175,7 @@ function joinedLayers(
   )
 }
 
-/** Copies blood to a layer that has no blood map of its own. @param hasSameStrength keeps the layer's amplitude. */
+/** Copies the blood map of a layer to `layer`, unless `layer` has an imported one. @param hasSameStrength whether `layer` keeps its amplitude. */
 function copyBlood(
   { maps: { blood }, bloodAmplitude }: StudioLayer,
   layer: StudioLayer,
@@ -165,4 +188,9 @@ function copyBlood(
     bloodAmplitude: (hasSameStrength ? layer.bloodAmplitude : undefined) ?? bloodAmplitude!,
     isBloodAutomatic: true,
   }
+}
+
+/** Lets the onset map of `layer` be drawn if that of another layer is, unless `layer` has an imported one. */
+function drawOnset({ isOnsetDrawn }: StudioLayer, layer: StudioLayer): StudioLayer {
+  return isOnsetDrawn && !layer.maps.onset ? { ...layer, isOnsetDrawn } : layer
 }

@@ -4,7 +4,7 @@ import { type AutoSettings, LAYER_DEFAULTS, type StudioDocument } from './docume
 /** Millimetres per unit: glTF positions are in metres. */
 const MILLIMETRES = 1000
 
-/** Makes a document of smooth skin to paint and draw on. */
+/** Makes a document without wrinkles, for artists who paint and draw all wrinkles. */
 export function blankDocument(auto: AutoSettings | undefined): StudioDocument {
   return {
     scale: MILLIMETRES,

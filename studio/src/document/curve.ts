@@ -1,28 +1,27 @@
 import type { Curve } from 'furrow'
 import { curveAt } from 'furrow/internal'
 
-/** Numeric range. */
 export type Range = readonly [low: number, high: number]
 
-/** Axis ranges of a curve editor. */
+/** Ranges of both axes of a curve. A curve maps an input of a driver to the activation of an area. */
 export interface CurveRanges {
   readonly input: Range
   readonly output: Range
 }
 
-/** Steps per axis, for arrow keys and rounding. */
+/** Approximate number of steps along an axis. */
 const STEPS = 100
 
-/** Returns a round number near a hundredth of a range: 0.01 for 0..1, 0.5 for 20..80. */
+/** Returns the step by which points move, a round number: 0.01 for the range 0..1, 0.5 for 20..80. */
 export function stepOf([low, high]: Range): number {
   const step = (high - low) / STEPS
   const power = 10 ** Math.floor(Math.log10(step))
   const digit = step / power
-  // Tolerates rounding just below the next round number.
+  // Rounding errors can turn the digit 2 or 5 into 1.9999 or 4.9999.
   return power * (digit > 4.999 ? 5 : digit > 1.999 ? 2 : 1)
 }
 
-/** Moves one point of a curve, clamped to the ranges and between its neighbours. */
+/** Moves one point of a curve. Keeps it within the ranges and between its neighbours. */
 export function movePoint(
   curve: Readonly<Curve>,
   index: number,
@@ -42,7 +41,7 @@ export function movePoint(
   return curve.map((point, i) => (i === index ? moved : point))
 }
 
-/** Adds a point on the curve, unless another point is within one step. */
+/** Adds a point on the curve, unless the curve has a point less than one step away. */
 export function addPoint(curve: Readonly<Curve>, input: number, ranges: CurveRanges): Curve {
   const step = stepOf(ranges.input)
   const place = clamp(rounded(input, step), ranges.input)
@@ -51,7 +50,7 @@ export function addPoint(curve: Readonly<Curve>, input: number, ranges: CurveRan
   return [...curve, [place, output] as Curve[number]].sort(([a], [b]) => a - b)
 }
 
-/** Returns the middle of the widest gap between points. */
+/** Returns the input in the middle of the widest gap between neighbouring points. */
 export function widestGap(curve: Readonly<Curve>): number {
   const gaps = curve
     .slice(1)
@@ -59,12 +58,11 @@ export function widestGap(curve: Readonly<Curve>): number {
   return gaps.reduce((widest, gap) => (gap.width > widest.width ? gap : widest)).middle
 }
 
-/** Removes a point, unless only two are left. */
 export function removePoint(curve: Readonly<Curve>, index: number): Curve {
   return curve.length > 2 ? curve.filter((_, i) => i !== index) : [...curve]
 }
 
-/** Returns `usual` if it holds all inputs of a curve, else a rounded range with room to drag the ends. */
+/** Returns `usual` if it contains the inputs of all points. Otherwise returns a wider, rounded range, so that users can drag the end points. */
 export function rangeAround(curve: Readonly<Curve>, usual?: Range): Range {
   const [first, last] = [curve[0][0], curve[curve.length - 1][0]]
   if (usual && first >= usual[0] && last <= usual[1]) return usual
@@ -85,7 +83,7 @@ function rounded(value: number, step: number): number {
   return exact(Math.round(value / step) * step)
 }
 
-/** Removes floating-point noise. */
+/** Rounds to 12 digits, which removes floating-point errors. */
 function exact(value: number): number {
   return Number(value.toPrecision(12))
 }

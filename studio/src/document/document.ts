@@ -3,8 +3,8 @@ import type { AutoRegion, Stroke, StrokesDocument } from 'furrow/author'
 import type { Furrows, ShapeCorrection } from 'furrow/internal'
 
 /**
- * The wrinkles of one face, as immutable plain data. Operations return a new document that shares every unchanged object: views
- * compare by identity, and undo keeps old documents.
+ * Wrinkles of one face, as immutable data. Operations return a new document that shares all unchanged objects with the old one. Views
+ * therefore find changes by comparing identities, and undo can keep old documents.
  */
 export interface StudioDocument {
   /** Names of the mesh and its material, as in `wrinkles.json`. */
@@ -12,29 +12,36 @@ export interface StudioDocument {
   readonly material?: string
   /** Millimetres per unit of the face's positions. */
   readonly scale: number
-  /** Side of the maps drawn from strokes, texels. */
+  /** Width and height of the maps drawn from strokes, texels. */
   readonly mapSize: number
-  /** Side of the areas, texels. */
+  /** Width and height of the areas' weights, texels. */
   readonly areaSize: number
   /** 1 to 4 layers with unique names. */
   readonly layers: readonly StudioLayer[]
-  /** Areas with unique names. */
+  /** Areas of influence with unique names. */
   readonly areas: readonly StudioArea[]
-  /** Strokes are drawn over the maps of their layer. */
+  /** Wrinkles as curves, which are drawn over the images of their layer. */
   readonly strokes: readonly LayerStroke[]
-  /** Area shapes imported with the strokes. */
+  /** Shapes of areas from an imported `strokes.json`. */
   readonly strokeAreas?: StrokesDocument['areas']
-  /** Net of fine furrows imported with the strokes: kept, but not drawn. */
+  /** Settings of a net of fine furrows from an imported `strokes.json`. The studio stores them but does not draw the net. */
   readonly furrows?: Furrows
   readonly drivers: readonly WrinkleDriver[]
-  /** Corrections of recognised blendshapes. Absent if there are none. */
+  /** The artist's corrections of blendshapes whose meaning was recognised wrongly. Absent if there are none. */
   readonly shapes?: readonly ShapeCorrection[]
-  /** Settings of the automatic wrinkles. Absent if there are none. */
   readonly auto?: AutoSettings
 }
 
-/** Layer maps that can be images. */
-export const MAP_NAMES = ['normal', 'baseColor', 'roughness', 'occlusion', 'height', 'blood'] as const
+/** Kinds of maps that a layer can have as images. */
+export const MAP_NAMES = [
+  'normal',
+  'baseColor',
+  'roughness',
+  'occlusion',
+  'height',
+  'blood',
+  'onset',
+] as const
 export type MapName = (typeof MAP_NAMES)[number]
 
 /** Encoded image, as stored in a file. */
@@ -55,11 +62,14 @@ export interface StudioLayer {
   readonly heightAmplitude?: number
   /** Optical depth at white in the blood map, 0..2. */
   readonly bloodAmplitude?: number
-  /** Whether `autoWrinkles` made the blood map. It is then replaced with the other automatic wrinkles. */
+  /** Strength of the onset map, 0..1; default 1. */
+  readonly onsetStrength?: number
+  /** Whether `autoWrinkles` made the blood map. If so, the next automatic wrinkles replace it. */
   readonly isBloodAutomatic?: boolean
+  /** Whether the onset map is drawn from the layer's strokes. If so, `maps` has no onset map. */
+  readonly isOnsetDrawn?: boolean
 }
 
-/** Defaults of a new layer. */
 export const LAYER_DEFAULTS = {
   kind: 'detail',
   maps: {},
@@ -74,37 +84,43 @@ export interface StudioArea {
   readonly combine: Combine
   /** Activation at rest, 0..1. */
   readonly activation: number
-  /** Weights, `areaSize` texels square. */
+  /** Weights, an image of `areaSize` x `areaSize` texels. */
   readonly weights: GrayImage
-  /** Made by `autoWrinkles` and not painted since. It is then replaced with the other automatic wrinkles. */
+  /** Whether the area is as `autoWrinkles` made it. If so, the next automatic wrinkles replace it. */
   readonly isAutomatic?: boolean
 }
 
 /** Stroke with the name of its layer. */
 export type LayerStroke = Stroke & {
   readonly layer: string
-  /** Made by `autoWrinkles` and not edited since. */
+  /** Whether the stroke is as `autoWrinkles` made it. */
   readonly isAutomatic?: boolean
 }
 
-/** Ranges of `age` and `strength`, and the available sizes. */
+/** Ranges of `age`, `strength` and `symmetry` in `AutoSettings`, and the choices for `size`. */
 export const AUTO_AGES = [20, 80] as const
 export const AUTO_STRENGTHS = [0, 2] as const
+export const AUTO_SYMMETRIES = [0, 1] as const
 export const AUTO_SIZES = [512, 1024, 2048, 4096] as const
 
-/** Options of `autoWrinkles` offered by the studio. */
+/** Options of `autoWrinkles` that the studio offers. */
 export interface AutoSettings {
-  /** Age in years, 20..80. If set, also ages the neutral face. */
+  /** Age in years, 20..80. If set, the face also has wrinkles at rest. */
   readonly age?: number
-  /** Depth factor, 0..2. */
+  /** Factor on the depth of wrinkles, 0..2. */
   readonly strength: number
-  /** Side of the maps, texels. */
+  /** Width and height of the maps, texels. */
   readonly size: number
-  readonly seed: number
-  /** Seeds that override `seed` per region. */
+  /** Random seed. Default: derived from the proportions of the face. */
+  readonly seed?: number
+  /** Seeds of single regions, which override `seed`. */
   readonly seeds?: Readonly<Partial<Record<AutoRegion, number>>>
-  /** Default: all regions. */
+  /** How much the right side mirrors the left side, 0..1. Default: 0. */
+  readonly symmetry?: number
+  /** Regions of the face that get wrinkles. Default: all regions. */
   readonly regions?: readonly AutoRegion[]
-  /** Blendshape corrections used for the automatic wrinkles. */
+  /** `StudioDocument.shapes` at the time when the automatic wrinkles were made. */
   readonly shapes?: readonly ShapeCorrection[]
 }
+
+export const AUTO_SETTINGS: AutoSettings = { strength: 1, size: 1024 }

@@ -4,4 +4,6 @@ import type { GrayImage, RgbaImage } from 'furrow'
 export interface DrawnMaps {
   readonly normal: RgbaImage
   readonly occlusion: GrayImage
+  /** Absent unless `isOnsetDrawn` of the layer is set. */
+  readonly onset?: GrayImage
 }

@@ -2,7 +2,7 @@ import { type ConflictDriver, driversOf, findTargets, type MorphDriver, type Wri
 import { canonicalTargetName, isKnownDriver, planDrivers } from 'furrow/internal'
 import { areaOf } from './drivers.ts'
 
-/** Why a driver has less effect than it states, and the remedy. */
+/** Reason why a driver has less effect than its settings suggest, with a remedy. */
 export interface DriverProblem {
   readonly text: string
   readonly remedy: string
@@ -10,7 +10,7 @@ export interface DriverProblem {
   readonly removes?: number
 }
 
-/** Finds problems of one area's drivers, by driver index. */
+/** Finds problems of the drivers that activate an area. The keys are indices of `drivers`. */
 export function driverProblems(
   drivers: readonly WrinkleDriver[],
   area: string,
@@ -30,7 +30,10 @@ export function driverProblems(
   return problems
 }
 
-/** Returns the indices of conflicts between blendshapes that drive the area, or that drive no area. */
+/**
+ * Returns the indices of the conflicts to list for an area. A conflict is a pair of blendshapes that cancel each other. The list has the
+ * pairs with a blendshape that drives this area, and the pairs whose blendshapes drive no area.
+ */
 export function conflictsOf(drivers: readonly WrinkleDriver[], area: string): number[] {
   const morphs = driversOf('morph', drivers)
   const read = (names: readonly MorphDriver[]) =>
@@ -56,12 +59,12 @@ function unknownType(driver: WrinkleDriver): DriverProblem | null {
 function cycle(area: string, removes: number): DriverProblem {
   return {
     text: `${area} drives itself in a circle, so this driver has no effect.`,
-    remedy: 'Read other areas, or remove it.',
+    remedy: 'Let this driver read other areas, or remove it.',
     removes,
   }
 }
 
-/** The last delay of an area takes effect. */
+/** Returns a problem if a later driver also delays the area, because only the last delay has an effect. */
 function earlierDelay(
   drivers: readonly WrinkleDriver[],
   driver: WrinkleDriver,

@@ -11,15 +11,15 @@ import type { StudioDocument } from './document.ts'
 import { changed, findNamed, kept } from './names.ts'
 import { otherSide } from './sides.ts'
 
-/** Weights up to this value count as unset. */
+/** A blendshape whose weight is at most this counts as not set. */
 const UNSET = 0.01
 
 /**
- * Records that the current pose fully shows an area. One driver reads the set blendshapes as a weighted sum that is 1 in this pose.
- * It replaces the area's drivers that read blendshapes.
+ * Makes the current pose activate an area (a group of wrinkles) fully. Replaces the area's blendshape drivers by one driver: a weighted sum of
+ * the blendshapes that are set. The sum is 1 in this pose.
  *
  * @param weights blendshape weights by name, 0..1.
- * @throws FurrowError if conflicts cancel every set blendshape.
+ * @throws FurrowError if drivers of type `conflict` cancel all blendshapes that are set.
  */
 export function recordPose(
   document: StudioDocument,
@@ -32,13 +32,13 @@ export function recordPose(
   if (set.length === 0 && [...weights].some(isSet)) throw cancelledError([...weights].filter(isSet))
   const others = document.drivers.filter((driver) => driver.type !== 'morph' || areaOf(driver) !== area)
   if (set.length === 0) return { ...document, drivers: others }
-  // Least squares of one equation: the shortest vector of link weights with sum(link * weight) = 1.
+  // The factors `weight / sum(weight * weight)` form the shortest vector for which `sum(factor * weight)` is 1.
   const squares = set.reduce((sum, [, weight]) => sum + weight * weight, 0)
   const targets = set.map(([name, weight]): Link => ({ name, weight: rounded(weight / squares) }))
   return addDriver({ ...document, drivers: others }, { type: 'morph', area, targets, rule: 'sum' })
 }
 
-/** Applies conflicts: two blendshapes that cancel each other keep their difference. */
+/** For each pair of blendshapes that cancel each other, subtracts the smaller weight from both weights. */
 function applyConflicts(
   drivers: readonly WrinkleDriver[],
   weights: ReadonlyMap<string, number>,
@@ -58,7 +58,7 @@ function cancelledError(set: readonly (readonly [string, number])[]): FurrowErro
     who: 'Studio',
     problem: 'the blendshapes that are set cancel each other',
     value: set.map(([name]) => name).join(', '),
-    remedy: 'set others, or remove the conflict between them',
+    remedy: 'set other blendshapes, or remove the driver of type conflict',
   })
 }
 
@@ -85,7 +85,6 @@ export function removeDriver(document: StudioDocument, index: number): StudioDoc
   return { ...document, drivers: document.drivers.filter((_, i) => i !== index) }
 }
 
-/** Renames an area in all drivers. */
 export function renameInDrivers(
   drivers: readonly WrinkleDriver[],
   name: string,
@@ -95,7 +94,10 @@ export function renameInDrivers(
   return changed(drivers, (driver) => mapAreas(driver, (area) => [rename(area)]))
 }
 
-/** Removes an area from drivers, and the drivers that activate it. A muscle stays and moves the skin. */
+/**
+ * Removes the drivers that activate an area, and removes the area from the inputs of other drivers. A muscle also moves the skin. It therefore
+ * stays, but no longer activates the area.
+ */
 export function removeFromDrivers(drivers: readonly WrinkleDriver[], name: string): readonly WrinkleDriver[] {
   const free = changed(drivers, (driver) => {
     if (driver.type !== 'muscle' || areaOf(driver) !== name) return driver
@@ -107,7 +109,6 @@ export function removeFromDrivers(drivers: readonly WrinkleDriver[], name: strin
   return kept(unread, (driver) => driver.type !== 'area' || (driver as { areas: Link[] }).areas.length > 0)
 }
 
-/** Copies an area's drivers for another area. */
 export function copyDrivers(
   drivers: readonly WrinkleDriver[],
   name: string,
@@ -116,13 +117,13 @@ export function copyDrivers(
   return drivers.flatMap((driver) => {
     if (areaOf(driver) !== name) return []
     if (driver.type !== 'muscle') return [{ ...driver, area: newName }]
-    // A second muscle of the same name would pull the skin twice, so the copy reads the muscle's blendshape.
+    // A copied muscle would pull the skin twice. The copy is a driver that reads the muscle's blendshape instead.
     const targets = [{ name: (driver as MuscleDriver).name }]
     return parseDrivers([{ type: 'morph', area: newName, targets }], [newName], 'Studio')
   })
 }
 
-/** Makes a blendshape driver read the blendshapes of the other side. */
+/** Returns a blendshape driver that reads the blendshapes of the other side of the face. Returns other drivers unchanged. */
 export function mirrorDriver(driver: WrinkleDriver): WrinkleDriver {
   if (driver.type !== 'morph') return driver
   const { targets } = driver as WrinkleDriver & { targets: Link[] }
@@ -133,8 +134,8 @@ export function mirrorDriver(driver: WrinkleDriver): WrinkleDriver {
 }
 
 /**
- * Maps every area that a driver names: the activated one, inputs, and activations of an expression. Returns the same driver if
- * nothing changes.
+ * Applies `map` to all area names in a driver: the area that it activates, its inputs, and the activations of an expression. Returns the same
+ * object if nothing changes.
  */
 function mapAreas(driver: WrinkleDriver, map: (area: string) => string[]): WrinkleDriver {
   const fields: Record<string, unknown> = { ...driver }

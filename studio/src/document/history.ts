@@ -1,6 +1,6 @@
 import type { StudioDocument } from './document.ts'
 
-/** Number of steps kept regardless of size, maximum number of steps, and bytes allowed for the additional ones. */
+/** The last `MIN_STEPS` steps are always kept. Up to `MAX_STEPS` are kept if all of them together need at most `MAX_BYTES`. */
 const MIN_STEPS = 200
 const MAX_STEPS = 2000
 const MAX_BYTES = 64 * 2 ** 20
@@ -10,13 +10,13 @@ interface Step {
   label: string
   before: StudioDocument
   after: StudioDocument
-  /** Bytes that this step keeps in memory; see `lostBytes`. */
+  /** Memory that this step needs, bytes; see `lostBytes`. */
   bytes: number
-  /** Consecutive changes with the same key are one step, for example while a slider is dragged. */
+  /** Consecutive changes with the same key become one step. */
   key?: string | undefined
 }
 
-/** The current document with undo and redo. Documents share unchanged parts, so old ones are kept as they are. */
+/** Current document with undo and redo. Each step contains complete documents, which share their unchanged parts. */
 export class History {
   #document: StudioDocument
   #done: Step[] = []
@@ -30,7 +30,6 @@ export class History {
     return this.#document
   }
 
-  /** Label of the next undo step, if any. */
   get undoLabel(): string | undefined {
     return this.#done.at(-1)?.label
   }
@@ -42,7 +41,7 @@ export class History {
   /**
    * Adds a step.
    *
-   * @param key merges this step with the last one of the same key, until `settle` is called.
+   * @param key consecutive steps with the same key become one step, until `settle` is called.
    */
   push(label: string, after: StudioDocument, key?: string): void {
     if (after === this.#document) return
@@ -86,7 +85,7 @@ export class History {
   }
 }
 
-/** Bytes of the images in `before` that `after` does not share, plus an estimate for strokes. */
+/** Returns the size in bytes of the images and strokes that are in `before` but not in `after`. Estimates the size of strokes. */
 function lostBytes(before: StudioDocument, after: StudioDocument): number {
   const [old, next] = [partsOf(before), partsOf(after)]
   const isLost = (part: object) => !next.has(part)

@@ -10,12 +10,15 @@ import {
 import { changed, checkCount, checkNewName, findNamed, kept, replaceNamed } from './names.ts'
 import { checkRange } from './ranges.ts'
 
-/** Layer fields that are set without further changes. */
+/** Fields of a layer that `setLayer` can change. */
 export type LayerFields = Partial<
-  Pick<StudioLayer, 'kind' | 'normalScale' | 'occlusionStrength' | 'heightAmplitude' | 'bloodAmplitude'>
+  Pick<
+    StudioLayer,
+    'kind' | 'normalScale' | 'occlusionStrength' | 'heightAmplitude' | 'bloodAmplitude' | 'onsetStrength'
+  >
 >
 
-/** Adds a layer without maps. Throws FurrowError if the name is taken or there are 4 layers. */
+/** Adds a layer without maps. Throws FurrowError if the name is taken or there are already 4 layers. */
 export function addLayer(document: StudioDocument, name: string): StudioDocument {
   checkNewName(document.layers, name, 'layer')
   checkCount(document.layers, MAX_LAYERS, 'layer')
@@ -58,7 +61,7 @@ export function renameLayer(document: StudioDocument, name: string, newName: str
   }
 }
 
-/** Moves a layer to another index. The order matters only in files and lists: layers do not cover each other. */
+/** Moves a layer to another index. Layers do not cover each other, so their order matters only in files and lists. */
 export function moveLayer(document: StudioDocument, name: string, index: number): StudioDocument {
   const layer = findNamed(document.layers, name, 'layer')
   const others = document.layers.filter((each) => each !== layer)
@@ -71,13 +74,13 @@ export function setLayer(document: StudioDocument, name: string, fields: LayerFi
   checkRange(`strength of the occlusion of ${name}`, fields.occlusionStrength, 0, 1)
   checkRange(`amplitude of the heights of ${name}`, fields.heightAmplitude, 0, MAX_NUMBER)
   checkRange(`amplitude of the blood of ${name}`, fields.bloodAmplitude, 0, MAX_BLOOD_AMPLITUDE)
+  checkRange(`strength of the onset of ${name}`, fields.onsetStrength, 0, 1)
   return {
     ...document,
     layers: replaceNamed(document.layers, name, 'layer', (layer) => ({ ...layer, ...fields })),
   }
 }
 
-/** Sets or removes a map of a layer. */
 export function setMap(
   document: StudioDocument,
   name: string,
@@ -85,10 +88,15 @@ export function setMap(
   image: ImageFile | undefined,
 ): StudioDocument {
   const change = (layer: StudioLayer): StudioLayer => {
-    const { isBloodAutomatic, ...others } = layer
+    const { isBloodAutomatic, isOnsetDrawn, ...others } = layer
     const maps = { ...layer.maps, [map]: image }
     if (!image) delete maps[map]
-    return { ...others, maps, ...(isBloodAutomatic && map !== 'blood' && { isBloodAutomatic }) }
+    return {
+      ...others,
+      maps,
+      ...(isBloodAutomatic && map !== 'blood' && { isBloodAutomatic }),
+      ...(isOnsetDrawn && map !== 'onset' && { isOnsetDrawn }),
+    }
   }
   return { ...document, layers: replaceNamed(document.layers, name, 'layer', change) }
 }

@@ -1,7 +1,7 @@
 import { FurrowError } from 'furrow'
 import { isName, MAX_NAME_LENGTH } from 'furrow/internal'
 
-/** Item with a unique name among its kind. */
+/** Item whose name is unique in its list. */
 interface Named {
   readonly name: string
 }
@@ -31,7 +31,7 @@ export function kept<T>(items: readonly T[], test: (item: T) => boolean): readon
   return items.every(test) ? items : items.filter(test)
 }
 
-/** Replaces the item with this name. */
+/** Applies `change` to the item with this name. Returns all items. Throws FurrowError if the name is unknown. */
 export function replaceNamed<T extends Named>(
   items: readonly T[],
   name: string,
@@ -69,13 +69,13 @@ export function checkNewName(items: readonly Named[], name: string, kind: string
   if (!items.some((item) => item.name === name)) return
   throw new FurrowError({
     who: 'Studio',
-    problem: `two of the ${kind}s would have one name`,
+    problem: `another ${kind} already has this name`,
     value: name,
     remedy: 'choose another name',
   })
 }
 
-/** Returns a free name: `name`, `name 2`, `name 3`... */
+/** Returns `name` if no item has this name. Otherwise returns the first free name among `name 2`, `name 3`... */
 export function freeName(items: readonly Named[], name: string): string {
   const isTaken = (candidate: string) => items.some((item) => item.name === candidate)
   if (!isTaken(name)) return name
@@ -86,7 +86,7 @@ export function freeName(items: readonly Named[], name: string): string {
   }
 }
 
-/** Shortens the stem to stay within the longest allowed name. */
+/** Appends a number to a name. Shortens the name if the result would be too long. */
 function appendNumber(stem: string, number: number): string {
   const end = ` ${number}`
   return [...stem].slice(0, MAX_NAME_LENGTH - end.length).join('') + end

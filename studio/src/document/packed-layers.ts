@@ -4,19 +4,18 @@ import { type Pixels, withoutAlpha } from 'furrow-files'
 import { type ImageFile, MAP_NAMES, type MapName, type StudioDocument, type StudioLayer } from './document.ts'
 import type { DrawnMaps } from './drawn-maps.ts'
 
-/** Document with the maps drawn from its strokes. */
+/** Document, and the maps that were drawn from its strokes (wrinkle lines). */
 export interface DocumentToPack {
   document: StudioDocument
-  /** Maps by name of each layer with strokes. */
+  /** Maps drawn from strokes. The keys are names of the layers that have strokes. */
   drawn: ReadonlyMap<string, StrokeMaps>
 }
 
-/** Maps and heights drawn from the strokes of a layer. */
 export interface StrokeMaps extends DrawnMaps {
   readonly heights: HeightMap
 }
 
-/** Encoded map, or pixels to encode. */
+/** Encoded image, or pixels that are still to be encoded. */
 export type LayerMap = ImageFile | Pixels
 
 /** Layer with the maps to write to a file. */
@@ -24,12 +23,12 @@ export interface PackedLayer {
   layer: StudioLayer
   /** Contains at least a normal map. */
   maps: { [Name in MapName]?: LayerMap }
-  /** Drawn maps, which replace the layer's own. */
+  /** Names of the maps that are not images of the layer: they are drawn from strokes, or flat. */
   drawn: MapName[]
   heightAmplitude?: number
 }
 
-/** Prepares layers for writing: adds the maps of their strokes, or flat normals if a layer has no normal map. */
+/** Returns the layers with the maps that were drawn from their strokes. A layer without a normal map gets a flat one. */
 export function packedLayers({ document: { layers, mapSize }, drawn }: DocumentToPack): PackedLayer[] {
   let flat: Pixels | undefined
   return layers.map((layer): PackedLayer => {
@@ -51,16 +50,17 @@ export function packedLayers({ document: { layers, mapSize }, drawn }: DocumentT
 }
 
 /**
- * Occlusion and heights have half the side of the normals, as automatic wrinkles write them: only normals show how steep a crease
- * is. The layer's own height map has precedence.
+ * Makes pixels from the maps that were drawn from strokes. Occlusion, onset and heights get half the resolution of the normal map, as in `furrow auto`,
+ * because steep creases are visible only in the normals. Omits the heights if the layer has a height map.
  */
 function mapsOf(
-  { normal, occlusion, heights }: StrokeMaps,
+  { normal, occlusion, onset, heights }: StrokeMaps,
   layer: StudioLayer,
 ): Pick<PackedLayer, 'heightAmplitude'> & { maps: { [Name in MapName]?: Pixels } } {
   const maps = {
     normal: withoutAlpha({ ...normal, channels: 4 }),
     occlusion: gray(halfSide(occlusion)),
+    ...(onset && { onset: gray(halfSide(onset)) }),
   }
   if (layer.maps.height) return { maps }
   const { levels, amplitude } = heightLevels(heights.data)
@@ -74,7 +74,6 @@ function gray({ width, height, data }: Omit<Pixels, 'channels'>): Pixels {
   return { width, height, channels: 1, data }
 }
 
-/** A normal map of smooth skin. */
 function flatNormal(size: number): Pixels {
   const data = new Uint8Array(3 * size ** 2).fill(128)
   for (let i = 2; i < data.length; i += 3) data[i] = 255

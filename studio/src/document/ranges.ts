@@ -1,6 +1,6 @@
 import { FurrowError } from 'furrow'
 
-/** Throws FurrowError if a number is not finite or outside a range. Accepts undefined. */
+/** Throws FurrowError unless a value is undefined or within a range. */
 export function checkRange(problem: string, value: number | undefined, low: number, high: number): void {
   if (value === undefined || (value >= low && value <= high)) return
   throw new FurrowError({

@@ -2,9 +2,10 @@ import type { ShapeCorrection } from 'furrow/internal'
 import type { StudioDocument } from './document.ts'
 
 /**
- * Corrects the meaning of a blendshape. Inserts the correction first, because the first one that matches takes effect.
+ * Adds a correction of the meaning that was recognised for a blendshape. Inserts it at the start, because only the first
+ * correction of a blendshape takes effect.
  *
- * @param correction names the mesh and the blendshape as spelled in the file.
+ * @param correction must spell the names of the mesh and the blendshape as the avatar's file does.
  */
 export function correctShape(document: StudioDocument, correction: ShapeCorrection): StudioDocument {
   const { shapes = [] } = document
@@ -13,7 +14,7 @@ export function correctShape(document: StudioDocument, correction: ShapeCorrecti
   return { ...document, shapes: [correction, ...others] }
 }
 
-/** Removes matching corrections. */
+/** Removes the corrections for which `matches` returns true. */
 export function removeCorrections(
   document: StudioDocument,
   matches: (correction: ShapeCorrection) => boolean,

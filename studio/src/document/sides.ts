@@ -1,4 +1,4 @@
-/** Returns the name with its side swapped, or the same name if it has no side. */
+/** Swaps left and right in the name of a blendshape or an area, if it contains a side. */
 export function otherSide(name: string): string {
   for (const [side, other] of SIDES) {
     const swapped = name.replace(side, other)
@@ -13,7 +13,7 @@ export function splitSide(name: string): [start: string, side: string] {
   return [name.slice(0, name.length - side.length), side]
 }
 
-/** Side markers of blendshape and area names: `browLeft`, `leftBrow`, `brow_left`, `brow_L`. */
+/** Spellings of sides in names, with their replacements: `browLeft`, `leftBrow`, `brow_left`, `brow_L`. */
 const SIDES = [
   [/Left(?![a-z])/, 'Right'],
   [/Right(?![a-z])/, 'Left'],

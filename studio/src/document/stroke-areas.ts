@@ -5,7 +5,7 @@ import { changed, kept } from './names.ts'
 
 type Shapes = Pick<StudioDocument, 'strokeAreas'>
 
-/** Renames an area and its stroke group in the stroke areas. */
+/** Renames an area in `strokeAreas` (area shapes from an imported `strokes.json`), and the group of strokes that has the same name. */
 export function renameInShapes({ strokeAreas }: StudioDocument, name: string, newName: string): Shapes {
   if (!strokeAreas) return {}
   const rename = (shape: AreaShape): AreaShape =>
@@ -19,12 +19,12 @@ export function renameInShapes({ strokeAreas }: StudioDocument, name: string, ne
   return { strokeAreas: renamed as AreaDefinition[] }
 }
 
-/** Removes the shapes of one area. */
+/** Removes the shapes of one area from `strokeAreas`. */
 export function removeShapes(document: StudioDocument, name: string): Shapes {
   return filterShapes(document, (area) => area !== name)
 }
 
-/** Keeps the shapes of the named areas. */
+/** Removes from `strokeAreas` the shapes of all areas that are not in `names`. */
 export function shapesOf(document: StudioDocument, names: ReadonlySet<string>): Shapes {
   return filterShapes(document, (area) => names.has(area))
 }

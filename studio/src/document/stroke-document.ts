@@ -3,8 +3,8 @@ import { isFileName } from 'furrow/internal'
 import type { StudioDocument } from './document.ts'
 
 /**
- * Returns the strokes as stored in `strokes.json`, or undefined if there are none. Omits shapes that the file cannot hold: area names
- * that are invalid file names, and groups without strokes.
+ * Returns the contents of `strokes.json` for a document, or undefined if the document has no strokes. Omits the shapes of an area if the
+ * area's name is not valid as a file name, or if a shape refers to a group without strokes.
  */
 export function strokesDocument(document: StudioDocument): StrokesDocument | undefined {
   if (document.strokes.length === 0) return undefined
@@ -17,6 +17,7 @@ export function strokesDocument(document: StudioDocument): StrokesDocument | und
     version: 1,
     scale: document.scale,
     size: document.mapSize,
+    ...(document.auto?.seed !== undefined && { seed: document.auto.seed }),
     strokes: document.strokes.map(({ isAutomatic, ...stroke }) => stroke),
     ...(document.furrows && { furrows: document.furrows }),
     ...(areas && areas.length > 0 && { areas }),

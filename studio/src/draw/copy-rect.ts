@@ -5,7 +5,6 @@ interface Pixels {
   data: Uint8Array
 }
 
-/** Copies the texels of a rectangle, row by row. */
 export function copyRect(
   { width, data }: Pixels,
   { x0, y0, x1, y1 }: Bounds,
@@ -20,7 +19,6 @@ export function copyRect(
   return out
 }
 
-/** Writes texels into a rectangle. */
 export function pasteRect(
   { width, data }: Pixels,
   { x0, y0, x1, y1 }: Bounds,

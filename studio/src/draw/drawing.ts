@@ -1,5 +1,5 @@
 import { type Remote, wrap } from 'comlink'
-import { FurrowError, type RgbaImage } from 'furrow'
+import { FurrowError } from 'furrow'
 import type { HeightMap, Stroke } from 'furrow/author'
 import type { Bounds } from 'furrow/internal'
 import type { LayerStroke } from '../document/document.ts'
@@ -7,16 +7,16 @@ import type { DrawnMaps } from '../document/drawn-maps.ts'
 import { deathOf } from '../workers/life.ts'
 import { changesOf } from './changes.ts'
 import { pasteRect } from './copy-rect.ts'
-import type { DrawingService, DrawingSurface } from './messages.ts'
+import type { DrawingService, DrawingSurface, LayerSettings } from './messages.ts'
 
 /** Maps of a layer and the strokes drawn in them. */
 interface Sheet {
   maps: DrawnMaps
   strokes: readonly Stroke[]
-  base: RgbaImage | null
+  settings: LayerSettings
 }
 
-/** Draws strokes into maps, in a worker. Calls run in order. */
+/** Draws wrinkle strokes into the maps of layers, in a worker. Calls run in order. */
 export class Drawing {
   readonly #worker: Worker
   readonly #service: Remote<DrawingService>
@@ -31,52 +31,53 @@ export class Drawing {
     this.#service = wrap<DrawingService>(this.#worker)
   }
 
-  /** Rejects with a FurrowError if the worker dies. Pending calls then reject too. */
+  /** Promise that rejects with a FurrowError if the worker dies. Pending calls then reject too. */
   get end(): Promise<never> {
     return this.#end
   }
 
-  /** Starts with another skin or map size. */
+  /** Sets the skin and the size of the maps. Removes all layers. */
   async begin(surface: DrawingSurface): Promise<void> {
     this.#surface = surface
     this.#sheets.clear()
     await this.#call((service) => service.begin(surface))
   }
 
-  /** Returns the maps of a layer, which `draw` updates in place. Undefined before the first draw. */
+  /** Returns the maps of a layer. `draw` updates them in place. Undefined before the first draw. */
   mapsOf(layer: string): DrawnMaps | undefined {
     return this.#sheets.get(layer)?.maps
   }
 
   /**
-   * Draws the changes of a layer since the last call.
+   * Updates the maps of a layer after changes of its strokes.
    *
-   * @param base smooth normal map below the strokes.
-   * @returns changed rectangles, or null if everything changed.
+   * @returns changed rectangles in texels, or null if everything changed.
    */
-  async draw(layer: string, strokes: readonly Stroke[], base: RgbaImage | null): Promise<Bounds[] | null> {
+  async draw(layer: string, strokes: readonly Stroke[], settings: LayerSettings): Promise<Bounds[] | null> {
     const known = this.#sheets.get(layer)
-    const sheet = known?.base === base ? known : await this.#addLayer(layer, base)
+    const sheet = known && isSame(known.settings, settings) ? known : await this.#addLayer(layer, settings)
     const before = sheet.strokes
     sheet.strokes = strokes
     const patches = await this.#call((service) => service.draw(layer, changesOf(before, strokes)))
-    for (const { bounds, normal, occlusion } of patches) {
+    for (const { bounds, normal, occlusion, onset } of patches) {
       pasteRect(sheet.maps.normal, bounds, 4, normal)
       pasteRect(sheet.maps.occlusion, bounds, 1, occlusion)
+      if (onset && sheet.maps.onset) pasteRect(sheet.maps.onset, bounds, 1, onset)
     }
     return sheet === known ? patches.map(({ bounds }) => bounds) : null
   }
 
-  /** Takes over maps that already show these strokes. The worker draws them too, to prepare for edits. */
+  /** Sets the maps of a layer, which must contain the layer's strokes. The worker still draws the strokes, to be ready for edits. */
   async adopt(layer: string, strokes: readonly Stroke[], maps: DrawnMaps): Promise<void> {
-    this.#sheets.set(layer, { maps, strokes, base: null })
-    // Sent together, so that later calls run after both.
+    const settings = { base: null, hasOnset: maps.onset !== undefined }
+    this.#sheets.set(layer, { maps, strokes, settings })
+    // Send both calls at once, so that later calls run after them.
     await this.#call((service) =>
-      Promise.all([service.addLayer(layer, null), service.draw(layer, [...strokes])]),
+      Promise.all([service.addLayer(layer, settings), service.draw(layer, [...strokes])]),
     )
   }
 
-  /** Prepares the edit of a stroke while the worker is idle. Null cancels the preparation. Ignores unknown strokes. */
+  /** Lets the idle worker prepare the edit of a stroke. Null cancels the preparation. Ignores unknown strokes. */
   async prepare(stroke: LayerStroke | null): Promise<void> {
     const index = stroke ? (this.#sheets.get(stroke.layer)?.strokes.indexOf(stroke) ?? -1) : -1
     if (stroke && index < 0) return
@@ -84,7 +85,7 @@ export class Drawing {
     await this.#call((service) => service.prepare(known))
   }
 
-  /** Returns the heights of a layer's strokes. Undefined before the first draw. */
+  /** Returns the height map drawn from a layer's strokes, or undefined before the first draw. */
   async heightsOf(layer: string): Promise<HeightMap | undefined> {
     const maps = this.mapsOf(layer)
     if (!maps) return undefined
@@ -101,11 +102,11 @@ export class Drawing {
     return Promise.race([call(this.#service), this.#end])
   }
 
-  async #addLayer(layer: string, base: RgbaImage | null): Promise<Sheet> {
+  async #addLayer(layer: string, settings: LayerSettings): Promise<Sheet> {
     const { size } = this.#surface!
-    const sheet: Sheet = { maps: flatMaps(size, base), strokes: [], base }
+    const sheet: Sheet = { maps: flatMaps(size, settings), strokes: [], settings }
     this.#sheets.set(layer, sheet)
-    await this.#call((service) => service.addLayer(layer, base))
+    await this.#call((service) => service.addLayer(layer, settings))
     return sheet
   }
 }
@@ -120,15 +121,20 @@ function workerError(reason: string | undefined): FurrowError {
   })
 }
 
-/** Makes maps without strokes: flat normals, or the normals of the base. */
-function flatMaps(size: number, base: RgbaImage | null): DrawnMaps {
+function isSame(a: LayerSettings, b: LayerSettings): boolean {
+  return a.base === b.base && a.hasOnset === b.hasOnset
+}
+
+/** Makes maps without strokes. The normal map is a copy of `base`, or flat. */
+function flatMaps(size: number, { base, hasOnset }: LayerSettings): DrawnMaps {
   const data = base ? base.data.slice() : new Uint8Array(4 * size * size)
   if (!base) new Uint32Array(data.buffer).fill(FLAT)
   return {
     normal: { width: size, height: size, data },
     occlusion: { width: size, height: size, data: new Uint8Array(size * size).fill(255) },
+    ...(hasOnset && { onset: { width: size, height: size, data: new Uint8Array(size * size) } }),
   }
 }
 
-/** RGBA 128, 128, 255, 255 as a little-endian number: all browsers run on little-endian machines. */
+/** Flat normal: RGBA 128, 128, 255, 255 as a little-endian number. All browsers run on little-endian machines. */
 const FLAT = 0xffff8080

@@ -1,7 +1,8 @@
 import type { GrayImage } from 'furrow'
 import type { AutoWrinkles, HeightMap } from 'furrow/author'
-import { type Bounds, CHANNEL, channelOf, resampleGray } from 'furrow/internal'
+import { type Bounds, CHANNEL, channelOf, hasOnset, resampleGray } from 'furrow/internal'
 import { decodeImage } from 'furrow/three'
+import type { AutoMaps } from '../document/automatic.ts'
 import type { ImageFile, LayerStroke, MapName, StudioDocument, StudioLayer } from '../document/document.ts'
 import type { DrawnMaps } from '../document/drawn-maps.ts'
 import { strokesOf } from '../document/strokes.ts'
@@ -9,10 +10,10 @@ import type { SkinSource } from '../open/skin-source.ts'
 import type { LayerMaps } from '../viewer/document-view.ts'
 import { Drawing } from './drawing.ts'
 
-/** Changed rectangles of maps updated in place. */
+/** For each layer whose maps were updated in place: the changed rectangles, in texels. */
 export type MapChanges = ReadonlyMap<LayerMaps, readonly Bounds[]>
 
-/** Makes the maps of a document's layers. A worker draws strokes over the images. */
+/** Makes the maps of a document's layers: decodes their images, and lets a worker draw wrinkle strokes over the images. */
 export class MapMaker {
   #drawing: Drawing | null = null
   #source: SkinSource | null = null
@@ -21,14 +22,14 @@ export class MapMaker {
   readonly #combined = new WeakMap<DrawnMaps, LayerMaps>()
   readonly #onEnd: (error: unknown) => void
 
-  /** @param onEnd called when the worker dies. The next call starts another one. */
+  /** @param onEnd called when the worker dies. The next call of `make` starts another worker. */
   constructor(onEnd: (error: unknown) => void) {
     this.#onEnd = onEnd
   }
 
   /**
-   * Makes the maps of each layer, in layer order. Returns the same objects for unchanged or updated maps. Calls must not overlap. If the
-   * worker dies, another one draws everything.
+   * Makes the maps of each layer, in the order of the layers. For maps that are unchanged or updated in place, returns the same objects as the
+   * last call. Calls must not overlap. If the worker dies, starts another one and draws everything again.
    */
   async make(document: StudioDocument, source: SkinSource): Promise<LayerMaps[]> {
     try {
@@ -50,36 +51,37 @@ export class MapMaker {
   }
 
   /**
-   * Takes over the maps of automatic wrinkles, which already show the strokes of the document.
+   * Uses the maps of automatic wrinkles. They already contain the strokes of the document, so `make` need not draw strokes.
    *
-   * @param bloods blood maps of the layers, equal to their images.
+   * @param images decoded images of each layer.
    */
   async adopt(
     document: StudioDocument,
     { layers }: AutoWrinkles,
-    bloods: readonly GrayImage[],
+    images: readonly AutoMaps<GrayImage>[],
     source: SkinSource,
   ): Promise<void> {
     for (const [i, { maps }] of document.layers.entries()) {
-      decodedImages.set(maps, Promise.resolve({ blood: bloods[i] }))
+      decodedImages.set(maps, Promise.resolve(images[i]))
     }
-    // If the worker ends, `make` draws everything.
+    // If the worker has died, `make` draws everything later.
     const drawing = await this.#begin(document, source).catch(() => null)
     if (!drawing) return
-    for (const { name, normal, occlusion } of layers) {
-      drawing.adopt(name, strokesOf(document, name), { normal, occlusion }).catch(() => {})
+    for (const { name, normal, occlusion, onset } of layers) {
+      const maps = { normal, occlusion, ...(onset && { onset }) }
+      drawing.adopt(name, strokesOf(document, name), maps).catch(() => {})
     }
   }
 
-  /** Prepares the next edit of a stroke, so that the first change is as fast as later ones. Null cancels. */
+  /** Prepares the edit of a stroke, so that its first change is as fast as later ones. Null cancels the preparation. */
   prepare(stroke: LayerStroke | null): void {
-    // If the worker ends, `make` starts another one.
+    // If the worker has died, `make` starts another one later.
     this.#drawing?.prepare(stroke).catch(() => {})
   }
 
-  /** Returns the heights of drawn strokes, by name of each layer with strokes. */
+  /** Returns height maps drawn from strokes. The keys are names of the layers that have strokes. */
   async heights(document: StudioDocument, source: SkinSource): Promise<ReadonlyMap<string, HeightMap>> {
-    // The worker may have ended meanwhile.
+    // If the worker has died, start another one.
     if (!this.#drawing) await this.make(document, source)
     const heights = new Map<string, HeightMap>()
     for (const { name } of document.layers) {
@@ -90,7 +92,7 @@ export class MapMaker {
     return heights
   }
 
-  /** Returns the changes since the last call. */
+  /** Returns the rectangles that changed since the last call. */
   takeChanges(): MapChanges {
     const changes = this.#changes
     this.#changes = new Map()
@@ -131,26 +133,31 @@ export class MapMaker {
     strokes: readonly LayerStroke[],
   ): Promise<LayerMaps> {
     const own = await decoded(layer)
-    if (strokes.length === 0 && hasNormals(own)) return fitBlood(own, this.#size)
-    const changes = await drawing.draw(layer.name, strokes, own.normal ?? null)
+    if (strokes.length === 0 && hasNormals(own)) return fitMaps(own, this.#size)
+    // An empty onset map would differ from none: it makes areas begin faster.
+    const isOnsetDrawn = layer.isOnsetDrawn === true && hasOnset(strokes)
+    const changes = await drawing.draw(layer.name, strokes, {
+      base: own.normal ?? null,
+      hasOnset: isOnsetDrawn,
+    })
     const maps = this.#combine(drawing.mapsOf(layer.name)!, own)
     if (changes?.length) this.#changes.set(maps, [...(this.#changes.get(maps) ?? []), ...changes])
     return maps
   }
 
-  /** Adds the layer's other maps to the drawn ones. Returns the same object while the maps are the same. */
-  #combine(drawn: DrawnMaps, { baseColor, roughness, blood }: StoredMaps): LayerMaps {
-    if (!baseColor && !roughness && !blood) return drawn
-    const fitting = blood && scaledBlood(blood, drawn.occlusion.width)
-    const known = this.#combined.get(drawn)
-    if (known && known.baseColor === baseColor && known.roughness === roughness && known.blood === fitting)
-      return known
-    const maps = {
+  /** Adds the maps in `OTHER_MAPS` to the drawn maps of a layer, and caches the result. */
+  #combine(drawn: DrawnMaps, { baseColor, roughness, blood, onset }: StoredMaps): LayerMaps {
+    if (!baseColor && !roughness && !blood && !onset) return drawn
+    const { width } = drawn.occlusion
+    const maps: LayerMaps = {
       ...drawn,
       ...(baseColor && { baseColor }),
       ...(roughness && { roughness }),
-      ...(fitting && { blood: fitting }),
+      ...(blood && { blood: scaledMap(blood, width) }),
+      ...(onset && { onset: scaledMap(onset, width) }),
     }
+    const known = this.#combined.get(drawn)
+    if (known && OTHER_MAPS.every((map) => known[map] === maps[map])) return known
     this.#combined.set(drawn, maps)
     return maps
   }
@@ -163,34 +170,38 @@ function hasNormals(maps: StoredMaps): maps is LayerMaps {
   return maps.normal !== undefined
 }
 
-/** Cache of scaled blood maps. */
-const scaledBloods = new WeakMap<GrayImage, GrayImage>()
+/** Maps of a layer that can be images beside the drawn maps. */
+const OTHER_MAPS = ['baseColor', 'roughness', 'blood', 'onset'] as const
 
-/** Scales a blood map to the size of the drawn occlusion map. */
-function scaledBlood(blood: GrayImage, size: number): GrayImage {
-  const known = scaledBloods.get(blood)
+const scaledMaps = new WeakMap<GrayImage, GrayImage>()
+
+/** Scales a blood or onset map to the size of the drawn occlusion map. */
+function scaledMap(map: GrayImage, size: number): GrayImage {
+  const known = scaledMaps.get(map)
   if (known?.width === size) return known
-  const scaled = resampleGray(blood, size)
-  scaledBloods.set(blood, scaled)
+  const scaled = resampleGray(map, size)
+  scaledMaps.set(map, scaled)
   return scaled
 }
 
 const fittingMaps = new WeakMap<LayerMaps, LayerMaps>()
 
-/** Scales the blood map of a layer without strokes. @param size side of drawn maps, texels. */
-function fitBlood(own: LayerMaps, size: number): LayerMaps {
-  if (!own.blood) return own
-  const blood = scaledBlood(own.blood, own.occlusion?.width ?? size)
+/** Scales the blood and onset maps of a layer without strokes to the size of its occlusion map, or to `size` texels if it has none. */
+function fitMaps(own: LayerMaps, size: number): LayerMaps {
+  if (!own.blood && !own.onset) return own
+  const side = own.occlusion?.width ?? size
+  const blood = own.blood && scaledMap(own.blood, side)
+  const onset = own.onset && scaledMap(own.onset, side)
   const known = fittingMaps.get(own)
-  if (known?.blood === blood) return known
-  const maps = { ...own, blood }
+  if (known && known.blood === blood && known.onset === onset) return known
+  const maps = { ...own, ...(blood && { blood }), ...(onset && { onset }) }
   fittingMaps.set(own, maps)
   return maps
 }
 
 const decodedImages = new WeakMap<StudioLayer['maps'], Promise<StoredMaps>>()
 
-/** Decodes the images of a layer. Cached. Rejects with a FurrowError if an image is invalid. */
+/** Decodes the images of a layer, and caches the result. Rejects with a FurrowError if an image is invalid. */
 function decoded({ name, maps }: StudioLayer): Promise<StoredMaps> {
   const known = decodedImages.get(maps)
   if (known) return known
@@ -206,13 +217,14 @@ async function decodeMaps(maps: StudioLayer['maps'], layer: string): Promise<Sto
       decodeImage(new Blob([image.bytes as BlobPart], { type: image.mimeType }), `layer "${layer}" ${name}`)
     )
   }
-  const { normal, baseColor, roughness, occlusion, blood } = maps
-  const [normals, colours, rough, open, flushed] = await Promise.all([
+  const { normal, baseColor, roughness, occlusion, blood, onset } = maps
+  const [normals, colours, rough, open, flushed, begun] = await Promise.all([
     decode('normal', normal),
     decode('baseColor', baseColor),
     decode('roughness', roughness),
     decode('occlusion', occlusion),
     decode('blood', blood),
+    decode('onset', onset),
   ])
   return {
     ...(normals && { normal: normals }),
@@ -220,5 +232,6 @@ async function decodeMaps(maps: StudioLayer['maps'], layer: string): Promise<Sto
     ...(rough && { roughness: channelOf(rough, CHANNEL.roughness) }),
     ...(open && { occlusion: channelOf(open, CHANNEL.occlusion) }),
     ...(flushed && { blood: channelOf(flushed, CHANNEL.blood) }),
+    ...(begun && { onset: channelOf(begun, CHANNEL.onset) }),
   }
 }

@@ -3,35 +3,45 @@ import type { MetricMesh, Stroke, TangentFrame } from 'furrow/author'
 import type { Bounds } from 'furrow/internal'
 import type { ListChanges } from './changes.ts'
 
-/** Skin for drawing strokes, and the maps' properties. */
+/** Skin on which strokes are drawn, and size of the maps. */
 export interface DrawingSurface {
   readonly mesh: MetricMesh
-  /** Side of the maps, texels. */
+  /** Width and height of the maps, texels. */
   readonly size: number
   /** Millimetres per unit of the mesh's positions. */
   readonly scale: number
   readonly frame: TangentFrame
 }
 
+/** Settings of a layer that is drawn from strokes. */
+export interface LayerSettings {
+  /** Normal map of the size `DrawingSurface.size` over which strokes are drawn, or null for flat normals. */
+  readonly base: RgbaImage | null
+  /** Whether to draw an onset map. */
+  readonly hasOnset: boolean
+}
+
 /** Changed texels of a layer's maps. */
 export interface MapPatch {
   bounds: Bounds
-  /** RGBA, row by row. */
+  /** Texels of the normal map, RGBA, row by row. */
   normal: Uint8Array
-  /** One byte per texel, 255 = not occluded. */
+  /** Texels of the occlusion map, one byte each; 255 is not occluded. */
   occlusion: Uint8Array
+  /** Texels of the onset map, one byte each. Absent for layers without one. */
+  onset?: Uint8Array
 }
 
-/** API of the drawing worker. */
+/** API of the worker that draws wrinkle strokes into the maps of layers. */
 export interface DrawingService {
-  /** Starts with another skin or map size. Removes all layers. */
+  /** Sets the skin and the size of the maps. Removes all layers. */
   begin(surface: DrawingSurface): void
-  /** Adds or resets a layer, over an optional normal map of the same size. */
-  addLayer(name: string, base: RgbaImage | null): void
-  /** Draws changes of a layer's strokes. */
+  /** Adds or clears a layer. */
+  addLayer(name: string, settings: LayerSettings): void
+  /** Draws the changed strokes of a layer, and returns the changed texels. */
   draw(name: string, changes: ListChanges<Stroke>): MapPatch[]
-  /** Prepares the edit of a stroke, given by its index in the layer, until the next call. Null cancels. */
+  /** Prepares the edit of a stroke, given by its index in the layer. A later `prepare` or `begin` cancels unfinished work. Null only cancels. */
   prepare(stroke: { layer: string; index: number } | null): Promise<void>
-  /** Copies the heights of a layer's strokes; see `HeightMap`. */
+  /** Returns a copy of the heights drawn from a layer's strokes; see `HeightMap`. */
   heights(name: string): Float32Array
 }

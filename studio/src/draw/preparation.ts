@@ -1,9 +1,9 @@
 import { nextTask } from '../later.ts'
 
-/** Steps between checks for messages: 500 texels, a few milliseconds. */
+/** Number of steps between two checks for messages: a few milliseconds of work. */
 const SLICE = 8
 
-/** Speculative work in slices, so that the worker can answer calls in between. */
+/** Runs optional work of a worker, a few steps at a time, so that the worker can answer calls in between. */
 export class Preparation {
   #steps: Iterator<unknown> | null = null
 

@@ -1,4 +1,4 @@
-/** Worker that draws strokes into maps. */
+/** Worker that draws wrinkle strokes into the maps of layers. */
 
 import { expose, transfer } from 'comlink'
 import { type SkinCanvas, type Stroke, StrokeLayer, skinCanvas } from 'furrow/author'
@@ -26,9 +26,9 @@ const service: DrawingService = {
     canvas = skinCanvas(next.mesh, next.size, next.size, next.scale)
     sheets.clear()
   },
-  addLayer(name, base) {
-    const { frame } = surface
-    sheets.set(name, { layer: new StrokeLayer(canvas, base ? { base, frame } : { frame }), strokes: [] })
+  addLayer(name, { base, hasOnset }) {
+    const options = { frame: surface.frame, onset: hasOnset, ...(base && { base }) }
+    sheets.set(name, { layer: new StrokeLayer(canvas, options), strokes: [] })
   },
   draw(name, changes) {
     const sheet = sheets.get(name)!
@@ -36,7 +36,9 @@ const service: DrawingService = {
     const patches = sheet.layer.draw(sheet.strokes).map((bounds) => patchOf(sheet.layer, bounds))
     return transfer(
       patches,
-      patches.flatMap(({ normal, occlusion }) => [normal.buffer, occlusion.buffer]),
+      patches.flatMap(({ normal, occlusion, onset }) =>
+        [normal, occlusion, onset].flatMap((map) => map?.buffer ?? []),
+      ),
     )
   },
   prepare(stroke) {
@@ -53,8 +55,13 @@ function stepsOf({ layer, index }: { layer: string; index: number }): Iterator<u
   return sheet.layer.prepare(sheet.strokes[index])
 }
 
-function patchOf({ normal, occlusion }: StrokeLayer, bounds: Bounds): MapPatch {
-  return { bounds, normal: copyRect(normal, bounds, 4), occlusion: copyRect(occlusion, bounds, 1) }
+function patchOf({ normal, occlusion, onset }: StrokeLayer, bounds: Bounds): MapPatch {
+  return {
+    bounds,
+    normal: copyRect(normal, bounds, 4),
+    occlusion: copyRect(occlusion, bounds, 1),
+    ...(onset && { onset: copyRect(onset, bounds, 1) }),
+  }
 }
 
 expose(service)

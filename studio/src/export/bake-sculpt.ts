@@ -16,20 +16,21 @@ import type { OnProgress } from './export-document.ts'
 
 const WHO = 'Studio'
 
-/** Skin that receives a baked sculpt. */
+/** Mesh of a face, for which a sculpt is baked. */
 export interface BakeTarget {
   face: FaceFiles
   /** Mesh name. Default: the first mesh with texture coordinates. */
   mesh?: string | undefined
-  /** Side of the map, texels. */
+  /** Width and height of the normal map, texels. */
   size: number
 }
 
 /**
- * Bakes a sculpt into a normal map of a face, like `furrow bake --tangents derivative`, because three.js derives missing tangents.
+ * Bakes a sculpt (a detailed model of the wrinkled face) into a normal map for a face. Works like `furrow bake --tangents derivative`, because
+ * three.js computes missing tangents from screen-space derivatives.
  *
  * @returns PNG file.
- * @throws FurrowError if a model is invalid, or if the models do not coincide.
+ * @throws FurrowError if a model is invalid, or if the two models do not overlap.
  */
 export async function bakeSculpt(
   sculpt: FaceFiles,

@@ -14,34 +14,34 @@ import { type FaceFiles, openFace } from '../files/face-files.ts'
 import { setToPack } from './set-to-pack.ts'
 import { findingsOf } from './validate-face.ts'
 
-/** Export options, as the options of `furrow pack` with these names. */
+/** Options of `furrow pack` that the studio offers. */
 export interface ExportOptions extends TargetNames {
-  /** Whether maps and areas are KTX 2 arrays, which stay compressed on the GPU. */
+  /** Whether maps and areas are stored as KTX 2 array textures, which stay compressed on the GPU. */
   ktx2?: boolean
-  /** Side of the layers' maps, texels. Default: unchanged. */
+  /** Width and height of the layers' maps, texels. Default: their sizes in the document. */
   size?: number
-  /** Side of the areas, texels. Default: the document's. */
+  /** Width and height of the areas, texels. Default: `areaSize` of the document. */
   areaSize?: number
 }
 
-/** Face with its wrinkles. */
+/** File of a face with its wrinkles, and a report about the file. */
 export interface ExportedFace {
   /** `.glb` file, also valid as `.vrm`. */
   bytes: Uint8Array
   /** Findings of `furrow validate`. */
   findings: Finding[]
   cost: Cost
-  /** Warnings for the artist. */
   warnings: string[]
 }
 
-/** Receives the number of completed steps and their total. */
+/** Receives the number of completed steps and the number of all steps. */
 export type OnProgress = (done: number, total: number) => void
 
 const WHO = 'Studio'
 
 /**
- * Adds the wrinkles of a document to a face and validates the result. Produces the same bytes as `furrow pack` on the document's folder.
+ * Adds the wrinkles of a document to a face and validates the result. The bytes are the same as those that `furrow pack` makes from the
+ * document's project folder.
  *
  * @throws FurrowError if the face or the wrinkles are invalid.
  */

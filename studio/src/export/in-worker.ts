@@ -10,10 +10,9 @@ import type { BakeTarget } from './bake-sculpt.ts'
 import type { ExportedFace, ExportOptions, OnProgress } from './export-document.ts'
 import type { Tasks } from './worker.ts'
 
-/** Progress callback and abort signal of a task. */
 export interface TaskOptions {
   onProgress?: OnProgress
-  /** Aborting ends the worker. */
+  /** Aborting it terminates the worker. */
   signal?: AbortSignal | undefined
 }
 

@@ -20,7 +20,7 @@ export async function readDocument(file: FaceFiles, material?: string): Promise<
   return document
 }
 
-/** Reads a project folder for `furrow pack`; see `readFolder`. */
+/** Reads a project folder, the input of `furrow pack`; see `readFolder`. */
 export function readProject(files: readonly AvatarFile[], name: string): Promise<ReadFolder> {
   return readFolder(files, name, decodeGray)
 }

@@ -2,7 +2,7 @@ import { encodeGlb, stripWrinkles, unpackWrinkles, wrinkledFile, wrinkledMateria
 import { type FaceFiles, type Files, openFace } from '../files/face-files.ts'
 import type { OnProgress } from './export-document.ts'
 
-/** Face and wrinkles, separated. */
+/** Face without wrinkles, and its wrinkles as a folder. */
 export interface ReadFace {
   /** `.glb` of the face without wrinkles. */
   face: Uint8Array
@@ -13,7 +13,7 @@ export interface ReadFace {
 const WHO = 'Studio'
 
 /**
- * Separates a face and its wrinkles, like `furrow unpack`. Inverse of `exportDocument`.
+ * Separates a face and its wrinkles, like `furrow unpack`. This is the inverse of `exportDocument`.
  *
  * @param options.material name of the wrinkled material, required if there are several.
  * @throws FurrowError if the face is invalid, the wrinkles are damaged, or the material is ambiguous.

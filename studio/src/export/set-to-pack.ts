@@ -14,7 +14,7 @@ export function setToPack(source: DocumentToPack, who: string): SetToPack {
   const { mesh, material, areaSize, shapes } = document
   if (document.areas.length === 0) throw noAreasError(who)
   const layers = packedLayers(source).map(({ layer, maps, heightAmplitude }) => {
-    const { name, kind, normalScale, occlusionStrength, bloodAmplitude } = layer
+    const { name, kind, normalScale, occlusionStrength, bloodAmplitude, onsetStrength } = layer
     const images = Object.entries(maps).map(([map, image]) => [
       map,
       async () => mapToPack(image, `${map} of ${name}`),
@@ -26,6 +26,7 @@ export function setToPack(source: DocumentToPack, who: string): SetToPack {
       occlusionStrength,
       ...(heightAmplitude !== undefined && { heightAmplitude }),
       ...(bloodAmplitude !== undefined && { bloodAmplitude }),
+      ...(onsetStrength !== undefined && { onsetStrength }),
       maps: Object.fromEntries(images) as SetToPack['layers'][number]['maps'],
     }
   })
@@ -59,6 +60,6 @@ function noAreasError(who: string): FurrowError {
     who,
     problem: 'the document has no areas',
     limit: 'at least one',
-    remedy: 'add an area and paint where its wrinkles show',
+    remedy: 'add an area, and paint it where wrinkles should appear',
   })
 }

@@ -5,7 +5,7 @@ import { bakeSculpt } from './bake-sculpt.ts'
 import { exportDocument } from './export-document.ts'
 import { readDocument, readProject } from './read-document.ts'
 
-/** API of the worker. Results are transferred. */
+/** Tasks that the page can run in this worker. Large results are transferred, not copied. */
 const tasks = {
   async exportDocument(...args: Parameters<typeof exportDocument>) {
     const exported = await exportDocument(...args)
@@ -29,7 +29,7 @@ export type Tasks = typeof tasks
 expose(tasks)
 holdLifeLock()
 
-/** Collects the unique buffers of arrays. Skips arrays that share a larger buffer, because it must not be transferred. */
+/** Collects the buffers to transfer. Skips views of larger buffers, because a transfer would detach all views of the buffer. */
 function buffersOf(arrays: readonly Uint8Array[]): ArrayBuffer[] {
   const unshared = arrays.filter(({ byteLength, buffer }) => byteLength === buffer.byteLength)
   return [...new Set(unshared.map(({ buffer }) => buffer as ArrayBuffer))]

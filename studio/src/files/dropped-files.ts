@@ -1,29 +1,28 @@
 import { FurrowError } from 'furrow'
 
-/** File given by the user. */
+/** File that the user dropped, pasted or chose. */
 export interface DroppedFile {
-  /** Path relative to the dropped folder, with `/`, or the name of a single file. */
+  /** Path with `/`. Begins with the name of the dropped folder, if any. For a single file, the path is its name. */
   path: string
   file: File
 }
 
-/** Maximum number of listed files, so that a dropped home folder does not block the page. */
+/** Maximum number of files, so that a dropped home folder does not block the page. */
 export const MAX_FILES = 5000
-/** Maximum depth of nested folders. */
 const MAX_DEPTH = 32
 
-/** Junk files of systems and programs. Names that begin with a dot are skipped as well. */
+/** Skipped names, in addition to all names that begin with a dot. */
 const JUNK = new Set(['__MACOSX', 'Thumbs.db', 'desktop.ini', 'node_modules'])
 
 /**
  * Lists the files of a drop or a paste, including the contents of folders.
  *
- * @param transfer read synchronously, because it is empty after its event.
+ * @param transfer data of the event. It is read synchronously, because browsers empty it after the event.
  * @throws FurrowError if there are too many files.
  */
 export async function filesOfTransfer(transfer: DataTransfer): Promise<DroppedFile[]> {
   const items = [...transfer.items].filter(({ kind }) => kind === 'file')
-  // Files that are not on disk, such as a pasted picture, have no entry.
+  // A file that is not on disk, such as a pasted picture, has no entry.
   const sources = items.map((item) => item.webkitGetAsEntry?.() ?? item.getAsFile())
   const files = new Listing()
   for (const source of sources) {
@@ -54,13 +53,13 @@ export async function bytesOf(blob: Blob, name: string): Promise<Uint8Array<Arra
   }
 }
 
-/** List of files without hidden ones. */
+/** List that ignores hidden files when they are added. */
 class Listing {
   readonly list: DroppedFile[] = []
 
   add(path: string, file: File): void {
     if (path.split('/').some(isHidden)) return
-    if (this.list.length === MAX_FILES) throw tooManyFilesError('what is dropped at once')
+    if (this.list.length === MAX_FILES) throw tooManyFilesError('one drop')
     this.list.push({ path, file })
   }
 }
@@ -110,7 +109,6 @@ function unreadableError(name: string, { message }: Error): FurrowError {
   })
 }
 
-/** Returns the error for a folder or an archive with too many files. */
 export function tooManyFilesError(name: string): FurrowError {
   return new FurrowError({
     code: 'out-of-range',

@@ -10,17 +10,17 @@ import {
   type Reference,
 } from 'furrow-files'
 
-/** Files by path relative to a folder, with `/`. */
+/** Contents of files. The keys are paths relative to a folder, with `/`. */
 export type Files = ReadonlyMap<string, Uint8Array>
 
-/** Original face file and the files that it references, by path or by URI. */
+/** glTF file of a face, and the files that it references. The keys of `references` are paths or URIs. */
 export interface FaceFiles {
   name: string
   bytes: Uint8Array
   references?: Files
 }
 
-/** Opens a face like the commands. Throws FurrowError as `openGlb` does. */
+/** Opens a face as the command line does. Throws FurrowError in the same cases as `openGlb`. */
 export async function openFace(
   { name, bytes, references = new Map() }: FaceFiles,
   who: string,
@@ -30,10 +30,10 @@ export async function openFace(
 }
 
 /**
- * Returns a reader for the references of a file.
+ * Returns a function that reads the files to which a glTF file refers.
  *
- * @param files files by path relative to the folder of the file, or by URI.
- * @param file name of the file with the references, for errors.
+ * @param files available files. The keys are URIs, or paths relative to the folder of the glTF file.
+ * @param file name of the glTF file, for errors.
  */
 export function referencesIn(files: Files, file: string, who: string): ReadReference {
   const known = new Map<string, Reference>()

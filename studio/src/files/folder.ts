@@ -3,7 +3,7 @@ import { bytesOf } from './dropped-files.ts'
 
 const WHO = 'Studio'
 
-/** Folder for `furrow pack`. Files are read on demand. */
+/** Project folder, which `furrow pack` can read. Its files are read when they are needed. */
 export class Folder {
   readonly name: string
   /** Paths of all files, relative to the folder, with `/`. */
@@ -17,13 +17,13 @@ export class Folder {
     this.paths = [...this.#files.keys()]
   }
 
-  /** Reads JSON, or returns undefined if there is no file. Throws FurrowError if the JSON is invalid or too deeply nested. */
+  /** Reads a JSON file, or returns undefined if it is missing. Throws FurrowError if the JSON is invalid or too deeply nested. */
   async json(address: string): Promise<unknown> {
     const file = this.#at(address)
     return file && parseJson(await bytesOf(file, address), address, WHO)
   }
 
-  /** Returns the file at an address in `wrinkles.json`. Throws FurrowError if it is missing. */
+  /** Returns the file to which an address in `wrinkles.json` refers. Throws FurrowError if the file is missing. */
   file(address: string): Blob {
     const file = this.#at(address)
     if (file) return file

@@ -3,14 +3,15 @@ export interface ZipEntry {
   path: string
   /** Compression method: 0 for stored, 8 for deflate. */
   method: number
-  /** Offset of the local header. */
+  /** Offset of the entry's local header in the archive, bytes. */
   start: number
-  /** Compressed and uncompressed bytes. */
+  /** Compressed size in the archive, bytes. */
   size: number
+  /** Uncompressed size, bytes. */
   length: number
 }
 
-// APPNOTE.TXT of PKWARE, section 4.3.
+// Signatures and sizes of records, from APPNOTE.TXT of PKWARE, section 4.3.
 const LOCAL = 0x04034b50
 const CENTRAL = 0x02014b50
 const END = 0x06054b50
@@ -18,7 +19,7 @@ const END_64 = 0x06064b50
 const LOCATOR_64 = 0x07064b50
 const END_BYTES = 22
 const MAX_COMMENT = 0xffff
-/** Marks a number stored in the zip64 field. */
+/** Placeholder for a number that does not fit into 32 bits and is stored in the zip64 field instead. */
 const MISSING = 0xffffffff
 
 const ENCRYPTED = 1
@@ -82,7 +83,7 @@ async function* inflate(packed: Uint8Array<ArrayBuffer>): AsyncGenerator<Uint8Ar
   }
 }
 
-/** Finds the central directory and its number of entries. */
+/** Returns the offset of the central directory and its number of entries. */
 function listOf(view: DataView): { at: number; count: number } {
   const last = view.byteLength - END_BYTES
   for (let end = last; end >= Math.max(0, last - MAX_COMMENT); end--) {
@@ -98,7 +99,7 @@ function listOf(view: DataView): { at: number; count: number } {
   throw new Error('it is not a .zip, or cut off')
 }
 
-/** Reads marked numbers from the zip64 field, where they have the same order. */
+/** Replaces each number that is `MISSING` by the next number of the zip64 field. */
 function wideNumbers(view: DataView, numbers: readonly number[], from: number, to: number): number[] {
   for (let at = from; at + 4 <= to; at += 4 + view.getUint16(at + 2, true)) {
     if (view.getUint16(at, true) !== 1) continue

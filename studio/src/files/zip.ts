@@ -7,10 +7,10 @@ import { unpackEntry, type ZipEntry, zipEntries } from './read-zip.ts'
 /** Maximum uncompressed bytes of an archive. */
 const MAX_BYTES = 2 ** 30
 
-/** Text files, which are deflated. Images and faces are already compressed, or too large to compress quickly. */
+/** Files to compress. Images are already compressed, and faces are too large to compress quickly. */
 const TEXT = /\.(json|gltf)$/i
 
-/** Zips files into a folder of this name. */
+/** Makes a .zip archive that contains the files in one folder of this name. */
 export async function zipFolder(files: readonly FolderFile[], name: string): Promise<Blob> {
   const parts: Uint8Array<ArrayBuffer>[] = []
   const zip = new Zip((error, chunk) => {
@@ -28,7 +28,7 @@ export async function zipFolder(files: readonly FolderFile[], name: string): Pro
 }
 
 /**
- * Unzips files. Removes a common root folder from their paths.
+ * Unpacks a .zip archive. If one folder contains all files, removes this folder from their paths.
  *
  * @throws FurrowError if the archive is damaged, is too large, has too many files, or declares a wrong size.
  */
@@ -45,7 +45,7 @@ export async function unzipFolder(file: Blob, name: string): Promise<AvatarFile[
   return [...files].map(([path, file]) => ({ path: path.slice(root.length), file }))
 }
 
-/** Lists the entries to unpack. Throws FurrowError if there are too many, or if their declared size is too large. */
+/** Lists the files to unpack. Throws FurrowError if there are too many, or if their declared size is too large. */
 function entriesOf(bytes: Uint8Array, name: string): ZipEntry[] {
   const entries: ZipEntry[] = []
   let total = 0
@@ -65,7 +65,7 @@ function rootOf(paths: readonly string[]): string {
   return paths.every((path) => path.startsWith(root)) ? root : ''
 }
 
-/** Whether a file is junk of an operating system. */
+/** Whether a file is hidden, or was added by macOS. */
 function isJunk(path: string): boolean {
   return path.startsWith('__MACOSX/') || /(^|\/)\.[^/]*$/.test(path)
 }
@@ -81,7 +81,7 @@ function tooLargeError(name: string): FurrowError {
 }
 
 function damagedError(name: string, cause: Error): FurrowError {
-  // fflate throws a RangeError for wrong offsets.
+  // DataView throws a RangeError for offsets outside the archive.
   const reason = cause instanceof RangeError ? 'it is cut off or damaged' : cause.message
   const problem = `cannot read ${name} (${reason})`
   return new FurrowError(

@@ -3,7 +3,7 @@ import type { FurrowError } from 'furrow'
 import type { StudioDocument } from '../document/document.ts'
 import { storageError } from './storage-error.ts'
 
-/** Milliseconds between the starts of two saves, and before a retry. */
+/** Minimum time between the starts of two saves, and time before a retry, milliseconds. */
 const INTERVAL = 1000
 const RETRY_INTERVAL = 5000
 
@@ -11,22 +11,22 @@ export type SaveState =
   | { readonly kind: 'saved' }
   /** A save is pending or running. */
   | { readonly kind: 'saving' }
-  /** The work stays in memory, and saving is retried. */
+  /** The last save failed. The document stays in memory, and saving is retried. */
   | { readonly kind: 'failed'; readonly reason: FurrowError }
 
-/** Events that precede the page's closing. */
+/** Part of `Document` that tells when the page becomes hidden. */
 type Page = Pick<Document, 'visibilityState' | 'addEventListener' | 'removeEventListener'>
 
 /**
- * Saves a document after each change, at most once a second and one save at a time. Also saves when the page is hidden: the last
- * event that many browsers send.
+ * Saves a document after each change, at most once a second and one save at a time. Also saves when the page becomes hidden, because many
+ * browsers send no later event before they close it.
  */
 export class AutoSave {
   readonly #state = signal<SaveState>({ kind: 'saved' })
   readonly #save: (document: StudioDocument) => Promise<void>
   readonly #page: Page
   readonly #stopWatching: () => void
-  /** Last document seen: the signal may switch to another face before everything is saved. */
+  /** Last document to save. The signal may already contain the document of another face when `dispose` saves. */
   #latest: StudioDocument
   #saved: StudioDocument | null
   #running: Promise<void> | undefined
@@ -59,7 +59,7 @@ export class AutoSave {
 
   /** Saves pending changes now. Resolves when saving has succeeded or failed; see `state`. */
   async flush(): Promise<void> {
-    // A running save may have started before the last change.
+    // A running save may lack the last change.
     while (this.#running) await this.#running
     if (this.#isDirty()) await this.#run()
   }
@@ -79,7 +79,7 @@ export class AutoSave {
   }
 
   readonly #onPageHide = () => {
-    // A running save may be outdated; the next one then starts right after it.
+    // If a save is running, the next one starts right after it, without waiting for `INTERVAL`.
     this.#nextStart = 0
     if (!this.#running && this.#isDirty()) void this.#run()
   }
@@ -103,7 +103,7 @@ export class AutoSave {
     this.#timer = setTimeout(() => void this.#run(), Math.max(0, this.#nextStart - Date.now()))
   }
 
-  /** Saves now. The synchronous part of `#save` runs before this returns. */
+  /** Starts a save. The synchronous part of the callback `save` runs before `#run` returns. */
   #run(): Promise<void> {
     clearTimeout(this.#timer)
     const document = this.#latest

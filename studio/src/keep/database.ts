@@ -3,20 +3,20 @@ import type { AvatarFile } from '../files/folder-files.ts'
 import type { DocumentRecord, ImageRecord } from './document-record.ts'
 import { storageError } from './storage-error.ts'
 
-/** Schema version of the tables. Records have their own version. */
+/** Version of the set of tables. */
 const VERSION = 1
 
-/** Tables of projects. Keys begin with the project's id, so that the records of a project form one key range. */
+/** Tables of the database. Keys are, or begin with, the id of a project. */
 export interface Tables extends DBSchema {
   projects: { key: string; value: ProjectRecord }
-  /** Data that each save writes beside the document. */
+  /** Time and size of the last save. */
   saves: { key: string; value: SaveRecord }
   documents: { key: string; value: DocumentRecord }
   images: { key: [project: string, image: number]; value: ImageRecord }
-  /** The avatar's original files; the first is the face. */
+  /** Original files of the avatar. The first one is the face. */
   files: { key: [project: string, index: number]; value: AvatarFile }
   thumbnails: { key: string; value: Blob }
-  /** Folder on disk that contains the project. */
+  /** Folder on disk to which the user saved the project. */
   folders: { key: string; value: FileSystemDirectoryHandle }
 }
 
@@ -28,25 +28,24 @@ export interface ProjectRecord {
 
 export interface SaveRecord {
   changed: Date
-  /** Size of images and files, bytes. */
+  /** Total size of images and files, bytes. */
   bytes: number
 }
 
 type Table = StoreNames<Tables>
-/** Returns a table for writing. A failed request fails its transaction, so that requests need not be awaited. */
+/** Function that returns a table for writing. A failed request aborts the transaction, so requests need not be awaited. */
 export type WritableTable = (name: Table) => IDBObjectStore
 
-/** Tables with one record per project, and with several. */
+/** Tables with one record per project (`SINGLE`), and with any number of records (`MULTIPLE`). */
 export const SINGLE = ['projects', 'saves', 'documents', 'thumbnails', 'folders'] as const satisfies Table[]
 export const MULTIPLE = ['images', 'files'] as const satisfies Table[]
 
-/** Returns the key range of one project. */
 export function rangeOf(project: string): IDBKeyRange {
-  // Arrays sort after numbers.
+  // IndexedDB sorts arrays after numbers, so `[]` is above all numbers.
   return IDBKeyRange.bound([project], [project, []])
 }
 
-/** Connection to the browser's database. Reopened after the browser closes it. */
+/** Connection to a database in the browser. If the browser closes it, the next call opens it again. */
 export class Database {
   readonly #name: string
   #opened: IDBPDatabase<Tables> | undefined
@@ -56,7 +55,6 @@ export class Database {
     this.#name = name
   }
 
-  /** Open connection, if any. */
   get opened(): IDBPDatabase<Tables> | undefined {
     return this.#opened
   }
@@ -80,8 +78,8 @@ export class Database {
   }
 
   /**
-   * Writes in one transaction: everything or nothing. If the database is open, all requests are made before this returns, so that a
-   * closing page still writes.
+   * Writes everything or nothing, in one transaction. If the database is open, makes all requests synchronously, so that a page can still
+   * write while it closes.
    *
    * @param work starts requests without awaiting them.
    * @throws FurrowError if writing fails.
@@ -121,14 +119,14 @@ export class Database {
       this.#opened = database
       return database
     } catch (error) {
-      // Firefox throws this in private windows.
+      // Firefox throws an InvalidStateError in private windows.
       const isPrivate = error instanceof DOMException && error.name === 'InvalidStateError'
       throw storageError(isPrivate ? new DOMException(error.message, 'SecurityError') : error)
     }
   }
 
   #failed(error: unknown): unknown {
-    // The browser closed the connection; the next attempt opens a new one.
+    // The browser has closed the connection. Forget it, so that the next call opens another one.
     if (error instanceof DOMException && error.name === 'InvalidStateError') this.close()
     return storageError(error)
   }

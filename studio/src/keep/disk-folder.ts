@@ -2,7 +2,7 @@ import { FurrowError } from 'furrow'
 import type { FolderFile } from '../files/folder-files.ts'
 import { parseStudioFile, STUDIO_FILE } from './studio-file.ts'
 
-/** API that TypeScript's library lacks. */
+/** Methods that TypeScript's DOM library lacks. */
 type Directory = FileSystemDirectoryHandle & {
   queryPermission?(mode: { mode: 'readwrite' }): Promise<PermissionState>
   requestPermission?(mode: { mode: 'readwrite' }): Promise<PermissionState>
@@ -25,7 +25,7 @@ export async function pickFolder(): Promise<FileSystemDirectoryHandle | undefine
   }
 }
 
-/** Returns the chosen folder if it is empty or contains a project, else a new folder inside it, apart from unrelated files. */
+/** Returns the folder for a project: `chosen` if it is empty or contains a project. Otherwise creates a folder in `chosen` and returns it. */
 export async function projectFolder(
   chosen: FileSystemDirectoryHandle,
   name: string,
@@ -42,7 +42,7 @@ export async function projectFolder(
 }
 
 /**
- * Asks for permission to write to a folder of an earlier visit. Requires a user gesture.
+ * Asks for permission to write to a folder that the user chose on an earlier visit. Call while handling a click or a key.
  *
  * @throws FurrowError if the user denies it.
  */
@@ -55,8 +55,8 @@ export async function requestWriteAccess(folder: FileSystemDirectoryHandle): Pro
 }
 
 /**
- * Writes a project's changed files to a folder and deletes unused images of earlier writes. Leaves other files as is. Each file is
- * replaced atomically.
+ * Writes a project's changed files to a folder, each one atomically. Deletes images that the studio wrote earlier and that the project no longer
+ * uses. Does not change other files.
  *
  * @returns written and deleted paths.
  * @throws FurrowError if writing fails.
@@ -82,14 +82,14 @@ async function studioImages(folder: FileSystemDirectoryHandle): Promise<string[]
   try {
     const file = await (await folder.getFileHandle(STUDIO_FILE)).getFile()
     const { files = [] } = parseStudioFile(JSON.parse(await file.text())).studio
-    // Restricted to images, so that an edited studio.json cannot delete other files.
+    // Accept only images, so that an edited `studio.json` cannot make the studio delete other files.
     return files.filter((path) => /^(layers|areas|under)\/.*\.\w+$/.test(path))
   } catch {
     return []
   }
 }
 
-/** Returns whether the content changed. */
+/** Writes a file. Returns false if it already has this content. */
 async function write(
   folder: FileSystemDirectoryHandle,
   path: string,
@@ -126,7 +126,7 @@ async function isSame(file: File, content: Uint8Array | Blob): Promise<boolean> 
     new Uint8Array(await file.arrayBuffer()),
     bytes ?? new Uint8Array(await (content as Blob).arrayBuffer()),
   ]
-  // An empty file may be newly created.
+  // An empty file may just have been created, so it counts as different.
   return file.size > 0 && a.every((value, i) => value === b[i])
 }
 

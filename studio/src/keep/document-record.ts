@@ -2,10 +2,10 @@ import { FurrowError, type GrayImage } from 'furrow'
 import type { ImageFile, StudioDocument } from '../document/document.ts'
 import { parseStored, type StoredDocument } from './stored-document.ts'
 
-/** Record format version. */
+/** Version of the record's format. */
 const VERSION = 1
 
-/** Document in which each image is replaced by the number of a separate record. */
+/** Document in the database. It has a number in place of each image, and a separate record stores the image. */
 export interface DocumentRecord {
   version: number
   document: StoredDocument
@@ -14,7 +14,6 @@ export interface DocumentRecord {
 /** Weights of an area, or an encoded map. */
 export type ImageRecord = GrayImage | ImageFile
 
-/** Collects the unique images of a document. */
 export function imagesOf({ layers, areas }: StudioDocument): Set<ImageRecord> {
   return new Set([
     ...layers.flatMap(({ maps }) => Object.values(maps)),
@@ -22,7 +21,7 @@ export function imagesOf({ layers, areas }: StudioDocument): Set<ImageRecord> {
   ])
 }
 
-/** @param numberOf returns the number of an image. */
+/** Makes the record of a document. @param numberOf returns the number of an image. */
 export function recordOf(document: StudioDocument, numberOf: (image: ImageRecord) => number): DocumentRecord {
   const layers = document.layers.map((layer) => ({
     ...layer,
@@ -35,7 +34,7 @@ export function recordOf(document: StudioDocument, numberOf: (image: ImageRecord
 /**
  * Restores the document of a record.
  *
- * @param images images by number.
+ * @param images stored images. The keys are their numbers.
  * @param name project name, for errors.
  * @throws FurrowError if a later version wrote the record, or if a part is missing or invalid.
  */

@@ -17,11 +17,11 @@ import {
 const EXTENSIONS: Record<string, string> = { 'image/jpeg': 'jpg', 'image/webp': 'webp', 'image/avif': 'avif' }
 
 /**
- * Makes the files of a project folder for `furrow pack`: `wrinkles.json`, `layers/NAME/*.png`, `areas/NAME.png` (paper's
- * convention), `strokes.json` and `face.glb`. Adds `studio.json` with data that these cannot hold. A face with several files is
- * written to `face/`, for `furrow pack --face`.
+ * Makes the files of a project folder for `furrow pack`: `wrinkles.json`, `layers/NAME/*.png`, `areas/NAME.png` (with the convention `paper`),
+ * `strokes.json` and `face.glb`. Data that these files cannot contain is in `studio.json`. A face with several files is in the folder `face`,
+ * for `furrow pack --face`.
  *
- * @param face the avatar's files; the first is the face.
+ * @param face files of the avatar. The first one is the face.
  */
 export function folderFiles(source: DocumentToPack, face: readonly AvatarFile[]): FolderFile[] {
   const { document } = source
@@ -62,7 +62,7 @@ export function folderFiles(source: DocumentToPack, face: readonly AvatarFile[])
     ...(face.length > 0 && { face: { path: faceFiles[0].path, name: face[0].path } }),
     files: images.map(({ path }) => path).sort(),
   }
-  // Documents last: an interrupted write leaves the old documents with the old images.
+  // Write the JSON files last, so that they never refer to images that are not written yet.
   return [
     ...faceFiles,
     ...images,
@@ -95,7 +95,7 @@ function layerFiles(source: DocumentToPack): {
       }),
     ) as { [Name in MapName]?: string }
   const entries = packedLayers(source).map(({ layer, maps, drawn, heightAmplitude }, i) => {
-    const { name, kind, maps: own, normalScale, occlusionStrength, bloodAmplitude } = layer
+    const { name, kind, maps: own, normalScale, occlusionStrength, bloodAmplitude, onsetStrength } = layer
     if (drawn.length > 0) {
       const covered = Object.fromEntries(drawn.flatMap((map) => (own[map] ? [[map, own[map]]] : [])))
       const under = add(`${UNDER}/${names[i]}`, covered)
@@ -110,6 +110,7 @@ function layerFiles(source: DocumentToPack): {
       ...(occlusionStrength !== 1 && { occlusionStrength }),
       ...(heightAmplitude !== undefined && { heightAmplitude }),
       ...(bloodAmplitude !== undefined && { bloodAmplitude }),
+      ...(onsetStrength !== undefined && { onsetStrength }),
     } as LayerEntry
   })
   return { images, entries, drawn: Object.fromEntries(replaced) }

@@ -1,11 +1,10 @@
-/** Milliseconds before a project is taken from a tab that does not answer. */
+/** Time after which a tab steals the lock from another tab that does not answer, milliseconds. */
 const TAKEOVER_TIMEOUT = 3000
 
-/** Exclusive lock of a project. Closing or crashing the tab releases the lock. */
+/** Lock of a project, which only one tab can hold. The browser releases it when the tab closes or crashes. */
 export interface ProjectLock {
-  /** Called when another tab requests the project. That tab takes the lock on release, or after a timeout. */
+  /** Called when another tab wants the project. That tab gets the lock when this tab releases it, or after a timeout. */
   onRequested: () => void
-  /** Whether this tab holds the lock. */
   readonly isHeld: boolean
   /** Releases the lock. Resolves when another tab can take it. */
   release(): Promise<void>
@@ -29,7 +28,7 @@ export async function takeLock(id: string): Promise<ProjectLock> {
 }
 
 async function request(id: string, options: LockOptions): Promise<ProjectLock | undefined> {
-  // The Web Locks API needs a secure context.
+  // Insecure pages have no Web Locks API. Two tabs can then open the same project.
   if (globalThis.navigator?.locks === undefined) {
     return { onRequested() {}, isHeld: true, release: async () => {} }
   }
@@ -49,7 +48,7 @@ async function request(id: string, options: LockOptions): Promise<ProjectLock | 
           },
         }
         channel.onmessage = () => lock.onRequested()
-        // After its timeout, another tab steals the lock.
+        // The promise `held` rejects when another tab steals the lock after `TAKEOVER_TIMEOUT`.
         const released: Promise<unknown> = held.catch(() => {
           if (!lock.isHeld) return
           lock.isHeld = false

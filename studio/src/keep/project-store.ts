@@ -6,20 +6,18 @@ import { checkVersion, documentOf } from './document-record.ts'
 import { openElsewhereError, Project } from './project.ts'
 import { lockProject, takeLock } from './project-lock.ts'
 
-/** Entry in the list of projects. */
 export interface ProjectEntry {
   readonly id: string
   readonly name: string
   /** Time of the last save. Absent if the record is damaged. */
   readonly changed?: Date
-  /** Size of images and files, bytes. */
+  /** Total size of images and files, bytes. */
   readonly bytes: number
   readonly thumbnail?: Blob
   /** Reason why the project cannot be opened. */
   readonly problem?: string
 }
 
-/** Projects stored in the browser. */
 export class ProjectStore {
   readonly #database: Database
   #askedToPersist = false
@@ -28,7 +26,7 @@ export class ProjectStore {
     this.#database = new Database(name)
   }
 
-  /** Lists all projects, latest first. Damaged ones have a `problem`. */
+  /** Lists all projects, the last saved one first. Damaged projects have a `problem`. */
   async list(): Promise<ProjectEntry[]> {
     return this.#database.read(async (database) => {
       const transaction = database.transaction(['projects', 'saves', 'thumbnails'])
@@ -63,7 +61,7 @@ export class ProjectStore {
   /**
    * Creates and stores a project.
    *
-   * @param files the avatar's files; the first is the face.
+   * @param files files of the avatar. The first one is the face.
    * @throws FurrowError if the browser cannot store it.
    */
   async create(name: string, files: readonly AvatarFile[], document: StudioDocument): Promise<Project> {
@@ -83,7 +81,7 @@ export class ProjectStore {
   /**
    * Opens a project. It is read-only if another tab has it open.
    *
-   * @param take takes it over from the other tab, which saves first.
+   * @param take whether to take the project from the other tab after that tab has saved it.
    * @throws FurrowError if the project is missing or damaged, or if a later version of the studio stored it.
    */
   async open(id: string, take = false): Promise<Project> {
@@ -159,14 +157,14 @@ export class ProjectStore {
   #askToPersist(): void {
     if (this.#askedToPersist) return
     this.#askedToPersist = true
-    // Best effort: errors and missing support are ignored.
+    // Ignore errors and missing support, because the projects are stored anyway.
     navigator.storage?.persist?.().catch(() => {})
   }
 }
 
 function nameOf(record: ProjectRecord | undefined): string {
   if (!record) {
-    const remedy = 'choose one of the list'
+    const remedy = 'choose a project from the list'
     throw new FurrowError({ code: 'unknown-name', who: 'Studio', problem: 'the project is gone', remedy })
   }
   checkVersion(record.version, record.name)

@@ -11,22 +11,22 @@ import {
 import { type ImageRecord, imagesOf, recordOf } from './document-record.ts'
 import type { ProjectLock } from './project-lock.ts'
 
-/** Numbers of stored images. */
+/** Integer key of each image in the database. */
 type Numbers = ReadonlyMap<ImageRecord, number>
 
-/** State of a project in the database. */
+/** Images of a project in the database. */
 interface Stored {
   readonly images: Numbers
-  /** Database connection that wrote or read the images. After a reconnection, all images are written again. */
+  /** Database connection that wrote or read the images. With another connection, `save` writes all images again. */
   readonly by: unknown
 }
 
 /** Project that is open in this tab. */
 export class Project {
   readonly id: string
-  /** The avatar's files; the first is the face. */
+  /** Files of the avatar. The first one is the face. */
   readonly files: readonly AvatarFile[]
-  /** Document at opening. */
+  /** Document as it was when the project was opened. */
   readonly opened: StudioDocument
   readonly #name: string
   readonly #database: Database
@@ -34,8 +34,8 @@ export class Project {
   #stored: Stored | undefined
 
   /**
-   * @param opened.stored state in the database, absent for a new project.
-   * @param lock undefined if another tab has the project.
+   * @param opened.stored images in the database, absent for a new project.
+   * @param lock lock of the project, or undefined if another tab holds it.
    */
   constructor(
     database: Database,
@@ -53,14 +53,14 @@ export class Project {
   }
 
   /**
-   * Whether another tab has the project. This tab can then edit and export but not save, so that the tabs do not overwrite each
+   * Whether another tab holds the project's lock. This tab can then edit and export but not save, so that the tabs do not overwrite each
    * other's work.
    */
   get isReadOnly(): boolean {
     return !this.#lock?.isHeld
   }
 
-  /** Sets the callback for a request of another tab. The callback should close the project. */
+  /** Sets a callback that runs when another tab wants the project. The callback should close the project. */
   onRequested(call: () => void): void {
     if (this.#lock) this.#lock.onRequested = call
   }
@@ -68,11 +68,11 @@ export class Project {
   /**
    * Stores the document in one transaction: writes new images and deletes unused ones. Calls must not overlap.
    *
-   * @throws FurrowError if another tab has the project, or if the browser cannot store it.
+   * @throws FurrowError if another tab holds the project's lock, or if the browser cannot store it.
    */
   async save(document: StudioDocument): Promise<void> {
     if (this.isReadOnly) throw openElsewhereError(this.#name, 'save a copy, or close this tab')
-    // A closed connection can mean cleared data, so everything is written again.
+    // The user may have cleared the data, which closes the connection. After opening a new connection, write everything again.
     const connection = this.#database.opened ?? (await this.#database.open())
     const stored = this.#stored?.by === connection ? this.#stored.images : undefined
     const images = numbered(imagesOf(document), stored ?? new Map())
@@ -90,13 +90,12 @@ export class Project {
     this.#stored = { images, by: connection }
   }
 
-  /** Stores a thumbnail for the list of projects. */
   async setThumbnail(thumbnail: Blob): Promise<void> {
     if (this.isReadOnly) return
     await this.#database.write((table) => table('thumbnails').put(thumbnail, this.id))
   }
 
-  /** Folder on disk of the last write. */
+  /** Returns the folder on disk to which the user saved the project, if there is one. */
   async folder(): Promise<FileSystemDirectoryHandle | undefined> {
     return this.#database.read((database) => database.get('folders', this.id))
   }
@@ -110,7 +109,7 @@ export class Project {
     await this.#lock?.release()
   }
 
-  /** Returns the stored record, which may have been renamed, or a new one. */
+  /** Returns the stored record, whose name may be newer than `#name`. Returns a new record if none is stored. */
   async #record(): Promise<ProjectRecord> {
     const stored = await this.#database.read((database) => database.get('projects', this.id))
     return stored ?? { version: 1, name: this.#name, created: new Date() }
@@ -129,13 +128,12 @@ export class Project {
   }
 }
 
-/** Returns the error for a project that is open in another tab. */
 export function openElsewhereError(name: string, remedy: string): FurrowError {
   const problem = `${name} is open in another tab`
   return new FurrowError({ code: 'unwritable', who: 'Studio', problem, remedy })
 }
 
-/** Assigns numbers to images. Stored images keep theirs. */
+/** Assigns a number to each image. Images that are already stored keep their numbers. */
 function numbered(images: ReadonlySet<ImageRecord>, stored: Numbers): Map<ImageRecord, number> {
   let next = 1 + Math.max(-1, ...stored.values())
   return new Map([...images].map((image) => [image, stored.get(image) ?? next++]))
@@ -146,7 +144,7 @@ function writeImages(table: IDBObjectStore, id: string, stored: Numbers, images:
   for (const [image, number] of stored) if (!images.has(image)) table.delete([id, number])
 }
 
-/** Copies the bytes out of a larger buffer, because IndexedDB would store the entire buffer. */
+/** Copies an image that is a part of a larger buffer, because IndexedDB would store the complete buffer. */
 function unshareBuffer(image: ImageRecord): ImageRecord {
   const bytes = bytesOf(image)
   if (bytes.length === bytes.buffer.byteLength) return image

@@ -4,6 +4,7 @@ import { parseStrokes, type StrokesDocument } from 'furrow/author'
 import { DEFAULT_AREA_SIZE, imageTypeOf, parseCorrections, resampleGray } from 'furrow/internal'
 import { folderDocument, WRINKLES_FILE } from 'furrow-files'
 import {
+  AUTO_SETTINGS,
   type ImageFile,
   type LayerStroke,
   MAP_NAMES,
@@ -26,25 +27,24 @@ import {
 
 const WHO = 'Studio'
 
-/** Defaults without `studio.json`: millimetres per unit, and side of maps in texels. */
+/** Defaults for folders without these values: `scale` in millimetres per unit, `mapSize` in texels. */
 const DEFAULTS = { scale: 1000, mapSize: 1024 } as const
-/** Maps drawn from strokes. */
-const DRAWN: readonly MapName[] = ['normal', 'occlusion', 'height']
+/** Maps that count as drawn from strokes in folders without `studio.json`. */
+const DRAWN: readonly MapName[] = ['normal', 'occlusion', 'height', 'onset']
 
 /** Decodes a gray image. Throws FurrowError if it is invalid. */
 export type DecodeGray = (bytes: Uint8Array, path: string, who: string) => Promise<GrayImage>
 
-/** Contents of a folder. */
 export interface ReadFolder {
   document: StudioDocument
-  /** The avatar's files; the first is the face. Empty without a face. */
+  /** Files of the avatar. The first one is the face. Empty if the folder contains no face. */
   face: AvatarFile[]
-  /** Messages about omissions, one sentence each. */
+  /** Messages about parts that were skipped, one sentence each. */
   notes: string[]
 }
 
 /**
- * Reads a project folder by the rules of `furrow pack`. Omits maps that were drawn from strokes: they are drawn again.
+ * Reads a project folder as `furrow pack` does. Skips maps that were drawn from strokes, because the studio draws them again.
  *
  * @param files all files, with paths relative to the folder.
  * @param name folder name, for errors.
@@ -64,6 +64,8 @@ export async function readFolder(
   const mapSize = studio.mapSize ?? strokes?.size ?? (await sideOf(folder, set))
   const isAutomatic = new Set(studio.automaticStrokes)
   const shapes = parseCorrections(set.shapes, `${WHO}: ${WRINKLES_FILE}`)
+  const auto =
+    studio.auto ?? (strokes?.seed !== undefined ? { ...AUTO_SETTINGS, seed: strokes.seed } : undefined)
   const document: StudioDocument = {
     ...(set.mesh !== undefined && { mesh: set.mesh }),
     ...(set.material !== undefined && { material: set.material }),
@@ -80,12 +82,12 @@ export async function readFolder(
     ...(strokes?.furrows && { furrows: strokes.furrows }),
     drivers: set.drivers ?? [],
     ...(shapes.length > 0 && { shapes }),
-    ...(studio.auto && { auto: studio.auto }),
+    ...(auto && { auto }),
   }
   return { document, face: faceOf(files, studio), notes: note === undefined ? [] : [note] }
 }
 
-/** Reads `studio.json`. Invalid JSON counts as missing. */
+/** Reads `studio.json`. If its JSON is invalid, returns no data and a note. */
 async function readStudioFile(folder: Folder): Promise<ReadStudioFile> {
   try {
     return parseStudioFile(await folder.json(STUDIO_FILE))
@@ -98,7 +100,7 @@ function setOf(json: unknown, { paths, name }: Folder): WrinkleSetDocument {
   const areas = (json as { areas?: unknown } | undefined)?.areas
   const hasNoAreas = Array.isArray(areas) && areas.length === 0
   if (!hasNoAreas) return folderDocument(json, paths, name, 'paper', WHO)
-  // A new project can have no areas, which `folderDocument` rejects.
+  // `folderDocument` rejects folders without areas, but a new project can have none. Add a temporary area for its checks.
   const begun = { ...(json as object), areas: [{ name: 'none' }] }
   return { ...folderDocument(begun, paths, name, 'paper', WHO), areas: [] }
 }
@@ -108,7 +110,7 @@ async function strokesOf(folder: Folder, set: WrinkleSetDocument): Promise<Strok
   return json === undefined ? undefined : parseStrokes(json)
 }
 
-/** Returns the width of the layers' square normal maps in texels, or undefined if unknown. Strokes are drawn at this size. */
+/** Returns the width of the first normal map in texels, or undefined if there is none or it is not square. */
 async function sideOf(folder: Folder, { layers }: WrinkleSetDocument): Promise<number | undefined> {
   const address = layers.find(({ normal }) => normal !== undefined)?.normal
   if (address === undefined) return undefined
@@ -123,7 +125,8 @@ async function readLayer(
   strokes: StrokesDocument | undefined,
   studio: StudioFile,
 ): Promise<StudioLayer> {
-  const { name, kind, normalScale = 1, occlusionStrength = 1, heightAmplitude, bloodAmplitude } = entry
+  const { name, kind, normalScale = 1, occlusionStrength = 1, heightAmplitude } = entry
+  const { bloodAmplitude, onsetStrength } = entry
   const hasStrokes = strokes?.strokes.some((stroke) => (stroke.layer ?? name) === name) ?? false
   const known = studio.layers?.[name]
   const drawn = new Set(known?.drawn ?? (hasStrokes && !studio.layers ? DRAWN : []))
@@ -144,7 +147,9 @@ async function readLayer(
     occlusionStrength,
     ...(amplitude !== undefined && { heightAmplitude: amplitude }),
     ...(bloodAmplitude !== undefined && { bloodAmplitude }),
+    ...(onsetStrength !== undefined && { onsetStrength }),
     ...(studio.automaticBlood?.includes(name) && entry.blood !== undefined && { isBloodAutomatic: true }),
+    ...(drawn.has('onset') && entry.onset !== undefined && { isOnsetDrawn: true }),
   }
 }
 

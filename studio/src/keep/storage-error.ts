@@ -16,7 +16,7 @@ const REASONS: Readonly<Record<string, { problem: string; remedy: string }>> = {
     problem: 'the projects were stored by a later version of the studio',
     remedy: 'reload the page',
   },
-  // The browser closed the connection: data was cleared, or a later version of the page was opened.
+  // Browsers close the connection when the user clears the data of the page, or opens a later version of the page.
   InvalidStateError: {
     problem: 'the browser closed its storage',
     remedy: `wait until saving is tried again, or ${FOLDER_REMEDY}`,

@@ -21,7 +21,7 @@ import {
 import { strokesDocument } from '../document/stroke-document.ts'
 import { parseAuto } from './studio-file.ts'
 
-/** Document whose images are replaced by numbers. */
+/** Document in the database, with numbers in place of images. */
 export type StoredDocument = Omit<StudioDocument, 'layers' | 'areas'> & {
   layers: StoredLayer[]
   areas: StoredArea[]
@@ -35,7 +35,7 @@ const WHO = 'Studio'
 /**
  * Checks a document stored in the browser. Omits unknown fields.
  *
- * @param json unchecked structured clone.
+ * @param json value as read from the database.
  * @throws FurrowError for the first missing or invalid field.
  */
 export function parseStored(json: unknown): StoredDocument {
@@ -70,13 +70,13 @@ export function parseStored(json: unknown): StoredDocument {
   return document as StoredDocument
 }
 
-/** Throws FurrowError for strokes that files do not allow. */
+/** Throws FurrowError if a stroke would be invalid in `strokes.json`. */
 function checkStrokes(reader: JsonReader, document: StudioDocument, layers: readonly string[]): void {
   for (const [i, stroke] of document.strokes.entries())
     reader.choice(reader.object(stroke, `strokes[${i}]`).layer, `strokes[${i}].layer`, layers)
   const strokes = strokesDocument(document)
   if (!strokes) return
-  // The size and the scale are fields of the document and already checked.
+  // `parseStored` has already checked the size and the scale.
   const { size, scale, ...others } = strokes
   parseStrokes(others)
 }
@@ -90,7 +90,9 @@ function parseLayer(reader: JsonReader, value: unknown, path: string): StoredLay
     occlusionStrength,
     heightAmplitude,
     bloodAmplitude,
+    onsetStrength,
     isBloodAutomatic,
+    isOnsetDrawn,
   } = reader.object(value, path)
   const numbers = Object.entries(reader.object(maps, `${path}.maps`, MAP_NAMES))
   return {
@@ -107,7 +109,11 @@ function parseLayer(reader: JsonReader, value: unknown, path: string): StoredLay
     ...(bloodAmplitude !== undefined && {
       bloodAmplitude: reader.number(bloodAmplitude, `${path}.bloodAmplitude`, 0, MAX_BLOOD_AMPLITUDE, ''),
     }),
+    ...(onsetStrength !== undefined && {
+      onsetStrength: reader.number(onsetStrength, `${path}.onsetStrength`, 0, 1, ''),
+    }),
     ...(isBloodAutomatic === true && { isBloodAutomatic }),
+    ...(isOnsetDrawn === true && { isOnsetDrawn }),
   }
 }
 

@@ -3,36 +3,40 @@ import { JsonReader, MAX_IMAGE_SIDE, MAX_NUMBER, parseCorrections, SCALE_RANGE }
 import {
   AUTO_AGES,
   AUTO_STRENGTHS,
+  AUTO_SYMMETRIES,
   type AutoSettings,
   MAP_NAMES,
   type MapName,
   type StudioDocument,
 } from '../document/document.ts'
 
-/** `studio.json`: project data beyond the files that `furrow pack` reads. Folders made by hand have none. All fields are optional. */
+/**
+ * Contents of `studio.json`: project data for which the files of `furrow pack` have no fields. A folder made by hand has no
+ * `studio.json`, so the data is optional.
+ */
 export interface StudioFile {
   version: 1
   /** Millimetres per unit, for folders without `strokes.json`. */
   scale?: number
   mapSize?: number
   auto?: AutoSettings
-  /** Names of automatic areas, and indices of automatic strokes. */
+  /** Names of the automatic areas that the artist has not edited. */
   automaticAreas?: string[]
+  /** Indices of the automatic strokes that the artist has not edited. */
   automaticStrokes?: number[]
   /** Names of layers with automatic blood maps. */
   automaticBlood?: string[]
-  /** Layers with drawn maps, by name. */
+  /** Layers with maps drawn from strokes. The keys are layer names. */
   layers?: Record<string, DrawnLayer>
   face?: FaceFile
-  /** Paths of images written by the studio, which it may delete. */
+  /** Paths of the images that the studio wrote. The studio deletes no other files. */
   files?: string[]
 }
 
-/** Layer whose maps differ between document and folder. */
+/** Layer with maps drawn from strokes. */
 export interface DrawnLayer {
-  /** Maps drawn from strokes. */
   drawn: MapName[]
-  /** Addresses of the maps below the strokes. */
+  /** Addresses of the images over which the strokes are drawn. */
   under?: { [Name in MapName]?: string }
   heightAmplitude?: number
 }
@@ -40,14 +44,14 @@ export interface DrawnLayer {
 export interface FaceFile {
   /** Path of the face in the folder. */
   path: string
-  /** Original path. */
+  /** Path of the face before it was saved to this folder. */
   name: string
 }
 
 export const STUDIO_FILE = 'studio.json'
-/** Folder of the maps below strokes. */
+/** Folder for images over which strokes are drawn. */
 export const UNDER = 'under'
-/** Folder of a face with several files. */
+/** Folder for a face that has several files. */
 export const FACE_FOLDER = 'face'
 
 /** Lists the automatic parts of a document. */
@@ -59,17 +63,16 @@ export function automaticParts({ layers, areas, strokes }: StudioDocument) {
   }
 }
 
-/** Result of reading `studio.json`. */
 export interface ReadStudioFile {
   studio: StudioFile
-  /** Summary of its errors, in one line. */
+  /** Summary of the errors in the file, one line. */
   note?: string
 }
 
-/** Maximum characters of a path or an address. */
+/** Maximum length of a path or an address, characters. */
 const MAX_PATH = 2048
 const MAX_FILES = 5000
-/** Exceeds the limits of areas and layers in a document. */
+/** Maximum number of names in a list, above the maximum numbers of areas and layers. */
 const MAX_NAMES = 4096
 const MAX_STROKES = 1_000_000
 
@@ -106,17 +109,14 @@ export function parseStudioFile(json: unknown): ReadStudioFile {
 
 type ParseField<T> = (reader: JsonReader, value: unknown, path: string) => T
 
-/** Schema: a parser per field. */
 const FIELDS: { [Name in Exclude<keyof StudioFile, 'version'>]-?: ParseField<StudioFile[Name]> } = {
   scale: (reader, value, path) => reader.number(value, path, ...SCALE_RANGE, 'mm per unit'),
   mapSize: (reader, value, path) => reader.integer(value, path, 16, MAX_IMAGE_SIDE),
   auto: parseAuto,
-  automaticAreas: (reader, value, path) =>
-    listOf(reader, value, path, MAX_NAMES, (item, at) => reader.name(item, at)),
+  automaticAreas: parseNames,
   automaticStrokes: (reader, value, path) =>
     listOf(reader, value, path, MAX_STROKES, (item, at) => reader.integer(item, at, 0, MAX_STROKES)),
-  automaticBlood: (reader, value, path) =>
-    listOf(reader, value, path, MAX_NAMES, (item, at) => reader.name(item, at)),
+  automaticBlood: parseNames,
   layers: (reader, value, path) =>
     Object.fromEntries(
       Object.entries(reader.object(value, path)).map(([name, layer]) => [
@@ -133,6 +133,10 @@ const FIELDS: { [Name in Exclude<keyof StudioFile, 'version'>]-?: ParseField<Stu
     listOf(reader, value, path, MAX_FILES, (item, at) => reader.text(item, at, MAX_PATH)),
 }
 
+function parseNames(reader: JsonReader, value: unknown, path: string): string[] {
+  return listOf(reader, value, path, MAX_NAMES, (item, at) => reader.name(item, at))
+}
+
 function listOf<T>(
   reader: JsonReader,
   value: unknown,
@@ -145,7 +149,7 @@ function listOf<T>(
 
 /** Reads the settings of automatic wrinkles. Throws FurrowError at the first invalid field. */
 export function parseAuto(reader: JsonReader, value: unknown, path: string): AutoSettings {
-  const { age, strength, size, seed, seeds, regions, shapes } = reader.object(value, path)
+  const { age, strength, size, seed, seeds, symmetry, regions, shapes } = reader.object(value, path)
   const seedAt = (value: unknown, path: string) => reader.integer(value, path, 0, 2 ** 32 - 1)
   const parseSeeds = (value: unknown, path: string) =>
     Object.fromEntries(
@@ -158,8 +162,11 @@ export function parseAuto(reader: JsonReader, value: unknown, path: string): Aut
     ...(age !== undefined && { age: reader.number(age, `${path}.age`, ...AUTO_AGES, 'years') }),
     strength: reader.number(strength, `${path}.strength`, ...AUTO_STRENGTHS, ''),
     size: reader.integer(size, `${path}.size`, 16, MAX_IMAGE_SIDE),
-    seed: seedAt(seed, `${path}.seed`),
+    ...(seed !== undefined && { seed: seedAt(seed, `${path}.seed`) }),
     ...(seeds !== undefined && { seeds: parseSeeds(seeds, `${path}.seeds`) }),
+    ...(symmetry !== undefined && {
+      symmetry: reader.number(symmetry, `${path}.symmetry`, ...AUTO_SYMMETRIES, ''),
+    }),
     ...(regions !== undefined && {
       regions: listOf(reader, regions, `${path}.regions`, AUTO_REGIONS.length, (region, at) =>
         reader.choice(region, at, AUTO_REGIONS),

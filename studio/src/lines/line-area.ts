@@ -1,20 +1,20 @@
 import type { GrayImage } from 'furrow'
 import type { SkinCanvas, Uv } from 'furrow/author'
-import { GROUP_SHAPE, paintArea as paintWeights } from 'furrow/internal'
+import { groupShape, paintArea as paintWeights } from 'furrow/internal'
 import { addArea, paintArea } from '../document/areas.ts'
 import type { LayerStroke, StudioArea, StudioDocument } from '../document/document.ts'
 import { freeName } from '../document/names.ts'
 import { addStroke, edited } from '../document/strokes.ts'
 
-/** Name of areas added for lines without one. */
+/** Name of the area that is added for a new line outside all areas. */
 const NEW_AREA = 'lines'
-/** Minimum mean weight, 0..255, for a line to lie on an area. */
+/** A line is on an area if the area's mean weight at the line's points is at least this, 0..255. */
 const UNDER = 32
 
-/** New line. Group and layer default to the values of the area below the line. */
+/** New wrinkle line. Default group: the name of the area below it. Default layer: the layer of this area. */
 export type NewLine = Omit<LayerStroke, 'layer'> & { readonly layer?: string }
 
-/** Adds a line and extends or adds the area that shows it. */
+/** Adds a wrinkle line to a document. Extends the area of influence that shows the line, or adds an area. */
 export function addLine(document: StudioDocument, line: NewLine, canvas: SkinCanvas): StudioDocument {
   const group = line.group ?? groupUnder(document, line.points) ?? freeName(document.areas, NEW_AREA)
   const layer = line.layer ?? areasOf(document, group)[0]?.layer ?? document.layers[0].name
@@ -22,33 +22,36 @@ export function addLine(document: StudioDocument, line: NewLine, canvas: SkinCan
   return coverLine(addStroke(document, stroke), stroke, canvas)
 }
 
-/** Extends the area of a line's group to cover the line, or adds the area. */
+/** Extends the area that has the name of a line's group, so that it covers the line. Adds the area if it does not exist. */
 export function coverLine(document: StudioDocument, stroke: LayerStroke, canvas: SkinCanvas): StudioDocument {
   const { group, layer } = stroke
   if (group === undefined) return document
   const [area] = areasOf(document, group)
-  // A line can span a left and a right area; neither is extended.
+  // The group has one area per side of the face. Its lines cross the middle, so do not extend either area.
   if (area && area.name !== group) return document
-  const weights = paintWeights({ name: group, shapes: [{ group, ...GROUP_SHAPE }] }, [stroke], canvas)
-  // A new area has no driver yet, so it is active at rest.
+  const weights = paintWeights({ name: group, shapes: [groupShape(group, [stroke])] }, [stroke], canvas)
+  // No driver activates a new area yet, so activate it at rest.
   if (!area) return addArea(document, { name: group, layer, combine: 'sum', activation: 1, weights })
   const joined = maximum(area.weights, weights)
   return joined === area.weights ? document : paintArea(document, group, joined)
 }
 
-/** Whether the area of a line covers a point. Always true for lines without an area of their own. */
+/** Whether the area of a line covers a point. Returns true if no area has the name of the line's group. */
 export function isShownAt({ areas }: StudioDocument, { group }: LayerStroke, point: Uv): boolean {
   const area = areas.find(({ name }) => name === group)
   return !area || meanWeight(area.weights, [point]) >= UNDER
 }
 
-/** Returns the area with the group's name, or else its left and right areas. */
+/** Returns the area with the name of a group. Otherwise, returns the group's areas for each side, such as `browLeft`. */
 function areasOf({ areas }: StudioDocument, group: string): StudioArea[] {
   const own = areas.filter(({ name }) => name === group)
   return own.length > 0 ? own : areas.filter(({ name }) => removeSide(name) === group)
 }
 
-/** Returns the group of the area with the greatest weight below the points, without its side if the points span both sides. */
+/**
+ * Returns the name of the area with the greatest mean weight at the points of a line. If the line is also on the area of the other side,
+ * returns the name without its side.
+ */
 function groupUnder({ areas }: StudioDocument, points: readonly Uv[]): string | undefined {
   const under = areas
     .map(({ name, weights }) => ({ name, mean: meanWeight(weights, points) }))
@@ -70,7 +73,7 @@ function meanWeight({ width, height, data }: GrayImage, points: readonly Uv[]): 
   return sum / points.length
 }
 
-/** Returns the maximum per texel, or the first image if it is greater everywhere. */
+/** Returns the maximum of two images at each texel. Returns `image` itself if `other` is nowhere greater. */
 function maximum(image: GrayImage, other: GrayImage): GrayImage {
   if (image.data.every((weight, i) => weight >= other.data[i])) return image
   return { ...image, data: image.data.map((weight, i) => Math.max(weight, other.data[i])) }

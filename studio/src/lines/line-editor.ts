@@ -1,60 +1,81 @@
 import { computed, effect, type ReadonlySignal, signal } from '@preact/signals'
 import { insertPoint, removePoint, type SkinCanvas, smoothStroke, splitStroke, type Uv } from 'furrow/author'
-import { type MirrorPlane, mirrorStroke, splineOf } from 'furrow/internal'
+import {
+  detachStroke,
+  type Fork,
+  findForks,
+  type MirrorPlane,
+  mirrorStroke,
+  pullBranches,
+  type StrokeLines,
+  splineOf,
+} from 'furrow/internal'
 import type { LayerStroke, StudioDocument } from '../document/document.ts'
-import { replaceStroke } from '../document/strokes.ts'
+import { removeStroke, replaceStroke, replaceStrokes } from '../document/strokes.ts'
 import type { Session } from '../session/session.ts'
+import { type Handle, handlesOf } from './handles.ts'
 import { addLine, coverLine, isShownAt, type NewLine } from './line-area.ts'
+import { LINE_SHAPE, type LineShape, withShape } from './line-shape.ts'
+import { PointMove } from './point-move.ts'
 
-/** Pointer mode on the face: orbit only, edit lines, or draw lines. */
+/** Effect of the pointer on lines. `off`: the pointer only orbits the camera. */
 export type LineMode = 'off' | 'edit' | 'draw'
 
-/** Cross-section and ends of a line. */
-export type LineShape = Pick<
-  LayerStroke,
-  'width' | 'depth' | 'softness' | 'shoulder' | 'bank' | 'lean' | 'taper'
->
-
-/** Default: similar to a forehead wrinkle. */
-const SHAPE: LineShape = { width: 3, depth: 0.6, softness: 0.4, shoulder: [0.6, 0.6], taper: [0.3, 0.3] }
-
-/** Strength of "Smooth", 0..1. */
+/** Strength of the command Smooth, 0..1. */
 const SMOOTHING = 0.5
 
-/** Surface on which lines are edited. */
+/** Skin on which lines are edited. `middle` is the plane between its left and right half. */
 export interface LineSurface {
   readonly canvas: SkinCanvas
+  readonly lines: StrokeLines
   readonly middle: MirrorPlane | undefined
 }
 
-/** Holds the chosen line and edits it through operations of the session. */
+/** Stores which wrinkle line is chosen, and edits this line. */
 export class LineEditor {
   readonly mode = signal<LineMode>('off')
-  /** Shape of new lines. */
-  readonly shape = signal<LineShape>(SHAPE)
-  /** Group of new lines; if empty, the group of the area below them. */
+  readonly shape = signal(LINE_SHAPE)
+  /** Group of new lines. If empty, each line gets the name of the area below it. */
   readonly group = signal('')
-  /** Layer of new lines; if empty, the layer of their area. */
+  /** Layer of new lines. If empty, each line gets the layer of its area. */
   readonly layer = signal('')
-  /** Index of the chosen point, or -1. */
+  /** Index of the chosen point in `handles`, or -1. */
   readonly point = signal(-1)
   readonly session: Session
   readonly #surface: () => LineSurface | null
-  /** Index of the chosen line. Operations and undo keep it. */
+  /** Index of the chosen line. It stays valid when an operation or undo replaces the object of the line. */
   readonly #index = signal(-1)
-  /** Whether the current gesture moved a point. */
-  #hasMoved = false
+  /** Current gesture that moves a point, or null. */
+  #move: PointMove | null = null
 
-  /** Chosen line, or null. */
   readonly chosen: ReadonlySignal<LayerStroke | null> = computed(
     () => this.session.document.value?.strokes[this.#index.value] ?? null,
   )
 
-  /** @param surface surface of the current face, or null without a document. */
+  /** Forks of all lines. */
+  readonly forks: ReadonlySignal<readonly Fork[]> = computed(() => {
+    const [document, surface] = [this.session.document.value, this.#surface()]
+    return document && surface ? findForks(document.strokes, surface.lines) : []
+  })
+
+  /** Points of the chosen line, and forks on it, from its start to its end. */
+  readonly handles: ReadonlySignal<readonly Handle[]> = computed(() => {
+    const line = this.chosen.value && this.#surface()?.lines.lineOf(this.chosen.value)
+    return line ? handlesOf(this.#index.value, line, this.forks.value) : []
+  })
+
+  /** Ends of the chosen line that are in a fork. 0: its start, 1: its end. */
+  readonly attachedEnds: ReadonlySignal<readonly (0 | 1)[]> = computed(() =>
+    this.forks.value.flatMap(({ ends }) =>
+      ends.flatMap(({ stroke, end }) => (stroke === this.#index.value ? end : [])),
+    ),
+  )
+
+  /** @param surface returns the skin of the current face, or null if there is no document. */
   constructor(session: Session, surface: () => LineSurface | null) {
     this.session = session
     this.#surface = surface
-    // Remaking the automatic wrinkles replaces their lines.
+    // New automatic wrinkles replace lines, so the index of the chosen line would mean another line.
     const auto = computed(() => session.document.value?.auto)
     effect(() => {
       auto.value
@@ -62,10 +83,10 @@ export class LineEditor {
     })
   }
 
-  /** Number of points of the chosen line, or 0. */
-  get pointCount(): number {
-    const [stroke, surface] = [this.chosen.value, this.#surface()]
-    return stroke && surface ? splineOf(stroke, surface.canvas).points.length : 0
+  /** Whether the current gesture has changed a line. */
+  isMoving(stroke: LayerStroke): boolean {
+    const { strokes } = this.session.document.peek() ?? {}
+    return this.#move?.changed.has(strokes?.indexOf(stroke) ?? -1) ?? false
   }
 
   choose(stroke: LayerStroke | null): void {
@@ -74,21 +95,31 @@ export class LineEditor {
     this.point.value = -1
   }
 
-  /** Moves the chosen point. Moves are one undo step until `settle`. */
-  movePoint(uv: Uv): void {
-    const index = this.point.peek()
-    this.#hasMoved = true
-    this.#change(
-      'Move a point',
-      (stroke, { canvas }) => {
-        const spline = splineOf(stroke, canvas)
-        return [{ ...spline, points: spline.points.with(index, uv) }]
-      },
-      'points',
-    )
+  /** Chooses a fork: its handle on the trunk, or on one of the lines that end there. */
+  chooseFork(fork: Fork): void {
+    const [{ stroke }] = [...fork.trunks, ...fork.ends]
+    this.#index.value = stroke
+    this.point.value = this.handles.peek().findIndex((handle) => handle.fork === fork)
   }
 
-  /** Adds a point to the chosen line and chooses it. Following moves belong to the same undo step until `settle`. */
+  /** Moves the chosen point. At a fork, moves all lines that meet there. All moves until `settle` are one undo step. */
+  movePoint(uv: Uv): void {
+    const [handle, surface] = [this.handles.peek()[this.point.peek()], this.#surface()]
+    const document = this.session.document.peek()
+    if (!handle || !surface || !document) return
+    if (this.#move?.last !== document.strokes)
+      this.#move = new PointMove(document.strokes, this.#index.peek(), handle, surface.lines)
+    const changed = this.#move.to(uv)
+    const label = this.#move.isFork ? 'Move a fork' : 'Move a point'
+    this.session.edit(label, (old) => replaceStrokes(old, changed), this.#keyOf('points'))
+    this.#move.last = this.session.document.peek()!.strokes
+  }
+
+  /**
+   * Adds a point to the chosen line and chooses the point. The addition and all moves of the point until `settle` are one undo step.
+   *
+   * @param along position on the line, 0..1.
+   */
   insertPoint(along: number): void {
     let index = -1
     this.#change(
@@ -100,41 +131,55 @@ export class LineEditor {
       },
       'points',
     )
-    if (index >= 0) this.point.value = index
+    if (index >= 0) this.point.value = this.handles.peek().findIndex(({ knot }) => knot === index)
   }
 
-  /** Removes the chosen point, or the line if no point is chosen or only two are left. */
+  /** Removes the chosen point. Removes the line if no point is chosen or the line has only two points. */
   remove(): void {
-    const index = this.point.peek()
+    const { knot = -1, fork } = this.handles.peek()[this.point.peek()] ?? {}
     const stroke = this.chosen.peek()
     const canvas = this.#surface()?.canvas
-    if (!stroke || !canvas) return
+    // A fork without a point stays, because it belongs to another line.
+    if (!stroke || !canvas || (fork && knot < 0)) return
     this.point.value = -1
-    if (index >= 0 && splineOf(stroke, canvas).points.length > 2) {
-      this.#change('Remove a point', () => [removePoint(stroke, index, canvas)])
-      return
-    }
-    this.removeLine()
+    if (knot >= 0 && splineOf(stroke, canvas).points.length > 2)
+      this.#changeTrunk('Remove a point', () => removePoint(stroke, knot, canvas), knot)
+    else this.removeLine()
   }
 
   removeLine(): void {
-    this.#change('Remove a line', () => [])
+    const stroke = this.chosen.peek()
+    if (!stroke) return
+    this.session.edit('Remove a line', (document) => removeStroke(document, stroke))
     this.choose(null)
   }
 
   smooth(): void {
-    this.#change('Smooth a line', (stroke, { canvas }) => [smoothStroke(stroke, SMOOTHING, canvas)])
+    this.#changeTrunk('Smooth a line', (stroke, { canvas }) => smoothStroke(stroke, SMOOTHING, canvas))
   }
 
-  /** Splits the chosen line at its chosen point, or in the middle. The first part stays chosen. */
+  /** Separates the chosen line from the lines that it ends on: in the chosen fork, or in all forks. */
+  detach(): void {
+    const { fork } = this.handles.peek()[this.point.peek()] ?? {}
+    const index = this.#index.peek()
+    const strokes = this.session.document.peek()?.strokes ?? []
+    const isEnd = fork?.ends.some(({ stroke }) => stroke === index)
+    const forks = fork && isEnd ? [fork] : this.forks.peek()
+    this.#change('Detach a line', (_, { lines }) => [detachStroke(strokes, index, forks, lines)])
+    this.point.value = -1
+  }
+
+  /** Splits the chosen line at its chosen point or fork, or in the middle. The first part stays chosen. */
   split(): void {
-    const index = this.point.peek()
-    this.#change('Split a line', (stroke, { canvas }) => {
+    const { knot = -1, place = 0, fork } = this.handles.peek()[this.point.peek()] ?? {}
+    this.#change('Split a line', (stroke, { canvas, lines }) => {
       const spline = splineOf(stroke, canvas)
-      if (index > 0 && index < spline.points.length - 1) return splitStroke(spline, index, canvas)
-      const middle = insertPoint(spline, 0.5, canvas)
-      const at = middle.index > 0 ? middle.index : Math.floor(spline.points.length / 2)
-      return splitStroke(middle.stroke, at, canvas)
+      if (knot > 0 && knot < spline.points.length - 1) return splitStroke(spline, knot, canvas)
+      const { lengths } = lines.lineOf(stroke)!
+      const along = fork && knot < 0 ? lengths[place] / lengths[lengths.length - 1] : 0.5
+      const added = insertPoint(spline, along, canvas)
+      const at = added.index > 0 ? added.index : Math.floor(spline.points.length / 2)
+      return splitStroke(added.stroke, at, canvas)
     })
     this.point.value = -1
   }
@@ -160,17 +205,19 @@ export class LineEditor {
     })
   }
 
-  /** Changes the shape of the chosen line, or of new lines in draw mode. One undo step until `settle`. */
+  /** Changes the shape of the chosen line, or of new lines in draw mode. Changes of a field until `settle` are one undo step. */
   setShape(fields: Partial<LineShape>): void {
     if (this.mode.peek() === 'draw') {
       this.shape.value = { ...this.shape.peek(), ...fields }
       return
     }
     const key = `shape-${Object.keys(fields)}`
-    this.#change(`Change the ${Object.keys(fields)} of a line`, (stroke) => [{ ...stroke, ...fields }], key)
+    const attached = this.attachedEnds.peek()
+    const make = (stroke: LayerStroke) => [withShape(stroke, fields, attached)]
+    this.#change(`Change the ${Object.keys(fields)} of a line`, make, key)
   }
 
-  /** Assigns the line to another area. An area with a new name is added around the line. */
+  /** Sets the group of the chosen line, or of new lines in draw mode. Adds an area with this name if there is none. */
   setGroup(group: string): void {
     if (this.mode.peek() === 'draw') {
       this.group.value = group
@@ -190,23 +237,24 @@ export class LineEditor {
     else this.#change('Change the layer of a line', (stroke) => [{ ...stroke, layer }])
   }
 
-  /** Ends a gesture and its undo step. Extends the line's area if a point was moved off it, so that the line stays visible. */
+  /** Ends a gesture and its undo step. If the gesture moved a point out of the line's area, extends the area to keep the line visible. */
   settle(): void {
-    if (this.#hasMoved) this.#coverPoint()
-    this.#hasMoved = false
+    if (this.#move) this.#coverPoint(this.#move)
+    this.#move = null
     this.session.settle()
   }
 
-  /** Extends the area in the same undo step as the move. */
-  #coverPoint(): void {
-    const [stroke, surface] = [this.chosen.peek(), this.#surface()]
-    const document = this.session.document.peek()
-    if (!stroke || !surface || !document) return
-    const { canvas } = surface
-    const point = splineOf(stroke, canvas).points[this.point.peek()]
-    if (!point || isShownAt(document, stroke, point)) return
-    const cover = (old: StudioDocument) => coverLine(old, stroke, canvas)
-    this.session.edit('Move a point', cover, this.#keyOf('points'))
+  /** Extends areas to the moved point, in the same undo step as the move. */
+  #coverPoint({ indices, uv }: PointMove): void {
+    const canvas = this.#surface()?.canvas
+    if (!canvas) return
+    for (const index of indices) {
+      const document = this.session.document.peek()
+      const stroke = document?.strokes[index]
+      if (!stroke || isShownAt(document, stroke, uv)) continue
+      const cover = (old: StudioDocument) => coverLine(old, stroke, canvas)
+      this.session.edit('Move a point', cover, this.#keyOf('points'))
+    }
   }
 
   #keyOf(gesture: string): string {
@@ -218,6 +266,19 @@ export class LineEditor {
     this.session.edit(label, (document) => addLine(document, stroke, canvas))
     this.#index.value = this.session.document.peek()!.strokes.length - 1
     this.point.value = -1
+  }
+
+  /** Changes the chosen line. Lines that end on it stay attached. @param removed index of a point that the change removes. */
+  #changeTrunk(
+    label: string,
+    make: (stroke: LayerStroke, surface: LineSurface) => LayerStroke,
+    removed?: number,
+  ): void {
+    const [stroke, surface, document] = [this.chosen.peek(), this.#surface(), this.session.document.peek()]
+    if (!stroke || !surface || !document) return
+    const forked = { strokes: document.strokes, forks: this.forks.peek(), lines: surface.lines }
+    const changed = pullBranches(forked, new Map([[this.#index.peek(), make(stroke, surface)]]), removed)
+    this.session.edit(label, (old) => replaceStrokes(old, changed))
   }
 
   #change(

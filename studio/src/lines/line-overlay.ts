@@ -1,4 +1,5 @@
-import type { LayerStroke } from '../document/document.ts'
+import type { Handle } from './handles.ts'
+import type { LinePicture } from './line-picture.ts'
 import type { ProjectedLine } from './project-lines.ts'
 
 const COLOURS = {
@@ -7,26 +8,20 @@ const COLOURS = {
   chosen: '#ff9d2e',
   shadow: 'rgb(40 20 10 / 40%)',
 }
-/** Minimum distance of drawn points, CSS pixels: the points of a line can be less than a pixel apart. */
+/** Points of a polyline that are closer than this on the screen are skipped, CSS pixels. */
 const STEP = 3
-/** Point radii, CSS pixels. */
+/** Radii of points, CSS pixels. */
 const POINT = 4
 const CHOSEN_POINT = 6
+/** Half diagonals of the diamonds that mark forks, CSS pixels. */
+const FORK = 4
+const HANDLE_FORK = 7
+const CHOSEN_FORK = 9
 
-/** Content of the overlay. */
-export interface LinePicture {
-  readonly lines: readonly ProjectedLine[]
-  readonly chosen: LayerStroke | null
-  /** Index of the chosen point, or -1. */
-  readonly point: number
-  readonly hovered: LayerStroke | null
-  readonly path: readonly { x: number; y: number }[]
-}
-
-/** Canvas over the stage with thin curves. Independent of the renderer, and not part of pictures of the face. */
+/** Canvas over the stage that shows wrinkle lines as thin curves. Saved pictures of the face do not contain it. */
 export class LineOverlay {
   readonly #canvas = document.createElement('canvas')
-  /** Cache of all lines except the chosen one. */
+  /** Canvas with all lines except the chosen one. It is drawn again only when these lines change. */
   readonly #others = document.createElement('canvas')
   #drawn: readonly unknown[] = []
   readonly #stage: HTMLElement
@@ -46,19 +41,12 @@ export class LineOverlay {
     this.#canvas.hidden = true
   }
 
-  draw({ lines, chosen, point, hovered, path }: LinePicture): void {
+  draw(picture: LinePicture): void {
     this.#canvas.hidden = false
     const context = this.#clear(this.#canvas)
-    this.#drawOthers(lines.filter(({ stroke }) => stroke !== chosen))
+    this.#drawOthers(picture.lines.filter(({ stroke }) => stroke !== picture.chosen))
     context.drawImage(this.#others, 0, 0, ...this.size)
-    const over = lines.find(({ stroke }) => stroke === hovered && stroke !== chosen)
-    if (over) drawLine(context, over, 'hovered')
-    const own = lines.find(({ stroke }) => stroke === chosen)
-    if (own) {
-      drawLine(context, own, 'chosen')
-      drawPoints(context, own, point)
-    }
-    drawPath(context, path)
+    drawChosen(context, picture)
   }
 
   #drawOthers(lines: readonly ProjectedLine[]): void {
@@ -69,13 +57,13 @@ export class LineOverlay {
     for (const line of lines) drawLine(context, line, 'line')
   }
 
-  /** Clears a canvas and fits it to the stage. */
+  /** Gives a canvas the size of the stage. This also clears the canvas. */
   #clear(canvas: HTMLCanvasElement): CanvasRenderingContext2D {
     const ratio = Math.min(devicePixelRatio, 2)
     const [width, height] = this.size.map((side) => Math.round(side * ratio))
     canvas.width = width
     canvas.height = height
-    // CPU canvas: a software GPU needs seconds for hundreds of thin curves and blocks the page's events.
+    // `willReadFrequently` moves drawing to the CPU. On a software GPU, hundreds of thin curves take seconds and block the page.
     const context = canvas.getContext('2d', { willReadFrequently: true })!
     context.scale(ratio, ratio)
     context.lineJoin = 'round'
@@ -84,7 +72,21 @@ export class LineOverlay {
   }
 }
 
-/** Returns the visible parts of a line as indices of its drawn points. */
+/** Draws the hovered line, the chosen line with its handles, all forks, and the path of the pointer. */
+export function drawChosen(
+  context: CanvasRenderingContext2D,
+  { lines, chosen, handles, point, forks, hovered, path }: LinePicture,
+): void {
+  const over = lines.find(({ stroke }) => stroke === hovered && stroke !== chosen)
+  if (over) drawLine(context, over, 'hovered')
+  const own = lines.find(({ stroke }) => stroke === chosen)
+  if (own) drawLine(context, own, 'chosen')
+  for (const { x, y } of forks) drawDiamond(context, x, y, FORK, COLOURS.line)
+  if (own) for (const [i, handle] of handles.entries()) drawHandle(context, own, handle, i === point)
+  drawPath(context, path)
+}
+
+/** Returns the visible parts of a line. Each part is a list with the indices of the points to connect. */
 export function visibleParts({ x, y, isSeen }: Pick<ProjectedLine, 'x' | 'y' | 'isSeen'>): number[][] {
   const parts: number[][] = []
   for (let i = 0; i + 1 < x.length; i++) {
@@ -118,7 +120,7 @@ function drawPath(context: CanvasRenderingContext2D, path: LinePicture['path']):
   if (path.length > 1) stroke(context, 2, COLOURS.chosen)
 }
 
-/** Strokes with a shadow, for contrast on light skin. */
+/** Draws the current path with a darker border, for contrast on light skin. */
 function stroke(context: CanvasRenderingContext2D, width: number, colour: string): void {
   context.lineWidth = width + 2
   context.strokeStyle = COLOURS.shadow
@@ -128,14 +130,43 @@ function stroke(context: CanvasRenderingContext2D, width: number, colour: string
   context.stroke()
 }
 
-function drawPoints(context: CanvasRenderingContext2D, { x, y, knots }: ProjectedLine, chosen: number): void {
-  for (const [index, i] of knots.entries()) {
-    context.beginPath()
-    context.arc(x[i], y[i], index === chosen ? CHOSEN_POINT : POINT, 0, 2 * Math.PI)
-    context.fillStyle = index === chosen ? COLOURS.chosen : '#fff'
-    context.fill()
-    context.lineWidth = 1.5
-    context.strokeStyle = '#212429'
-    context.stroke()
+function drawHandle(
+  context: CanvasRenderingContext2D,
+  { x, y }: ProjectedLine,
+  { place, fork }: Handle,
+  isChosen: boolean,
+): void {
+  const colour = isChosen ? COLOURS.chosen : '#fff'
+  if (fork) {
+    drawDiamond(context, x[place], y[place], isChosen ? CHOSEN_FORK : HANDLE_FORK, colour)
+    return
   }
+  context.beginPath()
+  context.arc(x[place], y[place], isChosen ? CHOSEN_POINT : POINT, 0, 2 * Math.PI)
+  fill(context, colour)
+}
+
+function drawDiamond(
+  context: CanvasRenderingContext2D,
+  x: number,
+  y: number,
+  radius: number,
+  colour: string,
+): void {
+  context.beginPath()
+  context.moveTo(x, y - radius)
+  context.lineTo(x + radius, y)
+  context.lineTo(x, y + radius)
+  context.lineTo(x - radius, y)
+  context.closePath()
+  fill(context, colour)
+}
+
+/** Fills the current path, with a dark border. */
+function fill(context: CanvasRenderingContext2D, colour: string): void {
+  context.fillStyle = colour
+  context.fill()
+  context.lineWidth = 1.5
+  context.strokeStyle = '#212429'
+  context.stroke()
 }

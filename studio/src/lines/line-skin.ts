@@ -1,45 +1,53 @@
 import { type Skin, type SkinCanvas, skinCanvas } from 'furrow/author'
-import { barycentricsAt, knotsOf, type MirrorPlane, middleOf, splineOf, traceStroke } from 'furrow/internal'
+import { barycentricsAt, type MirrorPlane, middleOf, StrokeLines, uvOf } from 'furrow/internal'
 import type { Mesh } from 'three'
 import type { LayerStroke } from '../document/document.ts'
 import { makeCanvasInWorker } from '../paint/in-worker.ts'
 import type { SkinPicker } from '../paint/picker.ts'
 import { type PosedSkin, prepareSkin } from '../paint/posed-skin.ts'
+import { TexturePicker } from '../tools/texture-picker.ts'
 
-/** Stroke as a polyline bound to the skin's triangles, so that it follows deformation. */
+/** Wrinkle line as a polyline. Its points are fixed to triangles of the skin, so that the line follows the deformed skin. */
 export interface SkinLine {
-  /** Triangle and barycentric coordinates per point. */
+  /** Triangle of each point. */
   triangles: readonly number[]
+  /** Three barycentric coordinates of each point in its triangle. */
   weights: Float64Array
-  /** Position along the line per point, 0..1. */
+  /** Position of each point along the line, 0..1. */
   along: Float64Array
-  /** Index of the polyline point at each spline point. */
-  knots: readonly number[]
 }
 
 /** Skin of a face, prepared for drawing lines. */
 export class LineSkin {
-  /** Canvas with texels of the document's areas. */
+  /** Texels of the skin, with the resolution of the document's areas. */
   readonly canvas: SkinCanvas
+  readonly lines: StrokeLines
   readonly #posed: PosedSkin
-  readonly #lines = new WeakMap<LayerStroke, SkinLine | null>()
+  readonly #skinLines = new WeakMap<LayerStroke, SkinLine | null>()
+  readonly #uvs = new WeakMap<LayerStroke, Float64Array>()
 
-  /** @param canvas canvas of the same skin. */
   constructor(posed: PosedSkin, canvas: SkinCanvas) {
     this.#posed = posed
     this.canvas = canvas
+    this.lines = new StrokeLines(canvas)
   }
 
   get picker(): SkinPicker {
     return this.#posed.picker
   }
 
-  /** Plane between left and right half. Undefined if blendshapes do not define it. */
+  /** Finds the point of the skin under the pointer in the view of the texture. */
+  get texturePicker(): TexturePicker {
+    const { skin, picker } = this.#posed
+    return new TexturePicker(skin, picker, this.canvas.metric.width)
+  }
+
+  /** Plane between the left and the right half of the face. Undefined if it cannot be found from the motion of the blendshapes. */
   get middle(): MirrorPlane | undefined {
     return middleOf(this.#skin)
   }
 
-  /** Follows the pose. */
+  /** Updates the skin to the current pose of the face. */
   follow(): void {
     this.#posed.follow()
   }
@@ -48,20 +56,30 @@ export class LineSkin {
     return this.#posed.skin.skin
   }
 
-  /** Returns the cached polyline of a stroke, or null if the stroke misses the skin. */
+  /** Returns the polyline of a stroke and caches it. Returns null if the stroke is not on the skin. */
   lineOf(stroke: LayerStroke): SkinLine | null {
-    const known = this.#lines.get(stroke)
+    const known = this.#skinLines.get(stroke)
     if (known !== undefined) return known
-    const line = this.#trace(stroke)
-    this.#lines.set(stroke, line)
+    const line = this.#lineOf(stroke)
+    this.#skinLines.set(stroke, line)
     return line
   }
 
-  #trace(stroke: LayerStroke): SkinLine | null {
-    const spline = splineOf(stroke, this.canvas)
-    const traced = traceStroke(spline, this.canvas)
-    const { points, triangles, lengths } = traced
-    if (triangles.length === 0) return null
+  /** Returns the texture coordinates of the points of `lineOf`, packed uv, and caches them. Returns null if the stroke is not on the skin. */
+  uvsOf(stroke: LayerStroke): Float64Array | null {
+    const line = this.lines.lineOf(stroke)
+    if (!line) return null
+    const known = this.#uvs.get(stroke)
+    if (known) return known
+    const uvs = Float64Array.from(line.triangles.flatMap((_, i) => uvOf(line, i, this.canvas)))
+    this.#uvs.set(stroke, uvs)
+    return uvs
+  }
+
+  #lineOf(stroke: LayerStroke): SkinLine | null {
+    const line = this.lines.lineOf(stroke)
+    if (!line) return null
+    const { points, triangles, lengths } = line
     const weights = new Float64Array(points.length)
     const own = new Float64Array(3)
     for (const [i, triangle] of triangles.entries()) {
@@ -69,19 +87,15 @@ export class LineSkin {
       weights.set(own, 3 * i)
     }
     const length = lengths[lengths.length - 1]
-    return {
-      triangles,
-      weights,
-      along: lengths.map((each) => each / length),
-      knots: knotsOf(spline, traced, this.canvas),
-    }
+    return { triangles, weights, along: lengths.map((each) => each / length) }
   }
 }
 
 /**
- * Prepares a skin for drawing lines, in workers, or on the main thread if a worker dies. Rejects with a FurrowError if that fails.
+ * Prepares a skin for drawing lines. Uses workers, or the main thread if a worker dies. Rejects with a FurrowError if the skin
+ * cannot be painted.
  *
- * @param size side of the face's areas, texels.
+ * @param size width and height of the document's areas, texels.
  */
 export async function readLineSkin(
   meshes: readonly [Mesh, ...Mesh[]],

@@ -1,35 +1,40 @@
 import type { LayerStroke } from '../document/document.ts'
 import type { LineEditor } from '../lines/line-editor.ts'
-import { nearestKnot, nearestLine, type ProjectedLine } from '../lines/project-lines.ts'
+import {
+  nearestFork,
+  nearestHandle,
+  nearestLine,
+  type ProjectedLine,
+  projectForks,
+} from '../lines/project-lines.ts'
 import { type PathPoint, reducePath } from '../lines/reduce-path.ts'
 import type { SkinPicker } from '../paint/picker.ts'
 import type { StagePointer, StageTool } from '../tools/stage-tool.ts'
 
-/** Hit distances of lines and points, CSS pixels. Points have precedence. */
+/** Maximum distance at which the pointer hits a line, CSS pixels. */
 const ON_LINE = 8
+/** Maximum distance at which the pointer hits a point of the chosen line, or a fork, CSS pixels. */
 const ON_POINT = 10
 
-/** Lines on the stage. */
 export interface LineStage {
-  /** Null while nothing can be edited. */
+  /** Finds the skin under the pointer. Null while lines cannot be edited. */
   readonly picker: Pick<SkinPicker, 'pick'> | null
-  /** Lines as seen by the camera. */
   readonly lines: readonly ProjectedLine[]
-  /** Returns the preparation of the picker, or null once it is ready. */
+  /** Returns a promise that resolves when `picker` is ready, or null if no preparation is running. */
   preparation(): Promise<unknown> | null
-  /** Called when the hovered line or the path changes. */
+  /** Called when the line under the pointer or the path of the pointer changes. */
   onChange(): void
 }
 
-/** Chooses lines, moves their points, and draws new lines. */
+/** Pointer tool for wrinkle lines: chooses lines, moves their points and forks, and draws new lines. */
 export class LineTool implements StageTool {
-  /** Line under the pointer, and the pointer path of a new line. */
   hovered: LayerStroke | null = null
+  /** Pointer path of the line that the user is drawing, CSS pixels. */
   path: { x: number; y: number }[] = []
   readonly #editor: LineEditor
   readonly #stage: LineStage
   #drawn: PathPoint[] = []
-  /** Whether the gesture changed the document. */
+  /** Whether the current gesture has changed the document. */
   #isChanged = false
 
   constructor(editor: LineEditor, stage: LineStage) {
@@ -37,7 +42,7 @@ export class LineTool implements StageTool {
     this.#stage = stage
   }
 
-  /** Whether a line is being bent. */
+  /** Whether the current gesture has moved or added a point of a line. */
   get isBending(): boolean {
     return this.#isChanged
   }
@@ -89,21 +94,24 @@ export class LineTool implements StageTool {
   /** Adds a point to the chosen line at the pointer. */
   insert(pointer: Pick<StagePointer, 'x' | 'y'>): void {
     const hit = this.#lineAt(pointer)
-    if (hit?.stroke !== this.#editor.chosen.peek() || this.#knotAt(pointer) >= 0) return
+    if (hit?.stroke !== this.#editor.chosen.peek() || this.#handleAt(pointer) >= 0) return
     this.#editor.insertPoint(hit.along)
     this.#editor.settle()
   }
 
   #choose(pointer: StagePointer): boolean {
-    const knot = this.#knotAt(pointer)
-    if (knot >= 0) {
-      this.#editor.point.value = knot
+    const handle = this.#handleAt(pointer)
+    if (handle >= 0) {
+      this.#editor.point.value = handle
       return true
     }
     const hit = this.#lineAt(pointer)
     if (!hit) return false
-    if (hit.stroke !== this.#editor.chosen.peek()) this.#editor.choose(hit.stroke)
-    else if (pointer.shift) {
+    const fork = this.#forkAt(pointer)
+    if (hit.stroke !== this.#editor.chosen.peek()) {
+      if (fork) this.#editor.chooseFork(fork)
+      else this.#editor.choose(hit.stroke)
+    } else if (pointer.shift) {
       this.#editor.insertPoint(hit.along)
       this.#isChanged = true
     } else this.#editor.point.value = -1
@@ -143,8 +151,14 @@ export class LineTool implements StageTool {
     return nearestLine(chosen, x, y, ON_LINE) ?? nearestLine(lines, x, y, ON_LINE)
   }
 
-  #knotAt({ x, y }: Pick<StagePointer, 'x' | 'y'>): number {
+  #handleAt({ x, y }: Pick<StagePointer, 'x' | 'y'>): number {
     const chosen = this.#stage.lines.find(({ stroke }) => stroke === this.#editor.chosen.peek())
-    return chosen ? nearestKnot(chosen, x, y, ON_POINT) : -1
+    return chosen ? nearestHandle(chosen, this.#editor.handles.peek(), x, y, ON_POINT) : -1
+  }
+
+  #forkAt({ x, y }: Pick<StagePointer, 'x' | 'y'>) {
+    const { forks, session } = this.#editor
+    const strokes = session.document.peek()?.strokes ?? []
+    return nearestFork(projectForks(forks.peek(), strokes, this.#stage.lines), x, y, ON_POINT)
   }
 }

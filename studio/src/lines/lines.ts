@@ -1,17 +1,18 @@
 import { effect, type ReadonlySignal, signal } from '@preact/signals'
 import { FurrowError } from 'furrow'
 import type { Session } from '../session/session.ts'
-import { shortcutOf } from '../shortcuts.ts'
 import { rayAt } from '../tools/ray-at.ts'
 import type { ToolHost } from '../tools/tool-host.ts'
 import type { Viewer } from '../viewer/viewer.ts'
+import { bindLineTool, type LineView } from './bind-line-tool.ts'
 import { LineEditor } from './line-editor.ts'
 import { LineOverlay } from './line-overlay.ts'
+import { pictureOf } from './line-picture.ts'
 import { type LineSkin, readLineSkin } from './line-skin.ts'
 import { LineTool } from './line-tool.ts'
 import { LineProjection, type ProjectedLine } from './project-lines.ts'
+import { TextureLineView } from './texture-line-view.ts'
 
-/** Dependencies of `Lines`. */
 export interface LinesParts {
   /** Element that shows the face. */
   stage: HTMLElement
@@ -22,16 +23,16 @@ export interface LinesParts {
   attempt(task: () => unknown): unknown
 }
 
-/** Shows the document's lines on the face and lets the pointer edit them. */
+/** Shows the document's wrinkle lines as curves on the face, and lets the pointer edit them. */
 export class Lines {
   readonly editor: LineEditor
   readonly #parts: LinesParts
   readonly #overlay: LineOverlay
   readonly #tool: LineTool
   readonly #skin = signal<LineSkin | null>(null)
-  /** Pending reading of the skin, or null. */
+  /** Pending call of `readLineSkin`, or null. */
   #reading: Promise<void> | null = null
-  /** Inputs of the last reading. */
+  /** Arguments of the last call of `readLineSkin`. */
   #source: readonly unknown[] = []
   readonly #projection = new LineProjection()
   #lines: ProjectedLine[] = []
@@ -63,23 +64,28 @@ export class Lines {
       session.document.value
       this.#redraw()
     })
-    effect(() => {
-      if (this.editor.mode.value === 'off') tools.leave(this.#tool)
-      else tools.choose(this.#tool)
-    })
-    stage.addEventListener('dblclick', ({ clientX, clientY }) => {
-      if (this.editor.mode.peek() !== 'edit') return
-      const { left, top } = stage.getBoundingClientRect()
-      attempt(() => this.#tool.insert({ x: clientX - left, y: clientY - top }))
-    })
-    stage.addEventListener('keydown', (event) => {
-      if (this.editor.mode.peek() === 'off' || shortcutOf('lines', event) !== 'remove') return
-      attempt(() => this.editor.remove())
-    })
+    bindLineTool(this.#tool, this.editor, { element: stage, host: tools, attempt })
   }
 
   /**
-   * Moves the chosen point over the skin in screen space. Ignores moves off the skin.
+   * Lets the pointer edit lines in the view of the texture too.
+   *
+   * @param wake requests the next frame of the view.
+   */
+  addTexture(view: Omit<LineView, 'attempt'>, wake: () => void): TextureLineView {
+    return new TextureLineView(
+      {
+        editor: this.editor,
+        skin: () => this.#skin.value,
+        preparation: () => this.#reading,
+        wake,
+      },
+      { ...view, attempt: this.#parts.attempt },
+    )
+  }
+
+  /**
+   * Moves the chosen point of a line over the skin, by a distance on the screen. Ignores moves that leave the skin.
    *
    * @param right distance to the right, CSS pixels.
    * @param down distance downwards, CSS pixels.
@@ -90,16 +96,15 @@ export class Lines {
     const [stroke, skin] = [this.editor.chosen.peek(), this.#skin.peek()]
     if (!camera || !stroke || !skin) return
     const { size } = this.#overlay
-    // Project now: keys can come faster than frames.
+    // Project the line again, because several keys can be pressed between two frames.
     const [line] = this.#projection.project([stroke], skin, camera, size)
-    const i = line?.knots[this.editor.point.peek()]
-    if (i === undefined) return
+    const i = this.editor.handles.peek()[this.editor.point.peek()]?.place
+    if (!line || i === undefined) return
     if (!line.isSeen[i]) throw hiddenPointError()
     const hit = skin.picker.pick(rayAt(camera, [line.x[i] + right, line.y[i] + down], size))
     if (hit) this.editor.movePoint(hit.uv)
   }
 
-  /** Draws the lines over a frame of the face. */
   draw(): void {
     const { session, viewer } = this.#parts
     const skin = this.#skin.peek()
@@ -111,11 +116,7 @@ export class Lines {
     }
     const { camera } = viewer.peek()!.stage
     this.#lines = this.#projection.project(document.strokes, skin, camera, this.#overlay.size)
-    const [chosen, point] = [this.editor.chosen.peek(), this.editor.point.peek()]
-    const { hovered, path, isBending } = this.#tool
-    // While bending, hide other lines to show the wrinkles.
-    const lines = isBending ? this.#lines.filter(({ stroke }) => stroke === chosen) : this.#lines
-    this.#overlay.draw({ lines, chosen, point, hovered, path })
+    this.#overlay.draw(pictureOf(this.editor, this.#tool, this.#lines))
   }
 
   /** Draws the lines in the next frame, without drawing the face. */
@@ -156,6 +157,6 @@ function hiddenPointError(): FurrowError {
   return new FurrowError({
     who: 'Studio',
     problem: 'the point of the line is hidden',
-    remedy: 'turn the face until it is seen',
+    remedy: 'turn the face until the point is visible',
   })
 }

@@ -1,36 +1,45 @@
+import type { Fork } from 'furrow/internal'
 import { type Camera, Vector3 } from 'three'
 import type { LayerStroke } from '../document/document.ts'
 import type { Sight } from '../paint/visible-places.ts'
+import type { Handle } from './handles.ts'
 import type { LineSkin } from './line-skin.ts'
 
-/** Line in screen space. */
+/** Wrinkle line as a polyline in screen space. */
 export interface ProjectedLine {
   readonly stroke: LayerStroke
-  /** Screen coordinates per point, CSS pixels from the stage's upper left corner. */
+  /** Coordinates of each point, CSS pixels from the stage's upper left corner. */
   readonly x: Float32Array
   readonly y: Float32Array
-  /** Visibility per point. */
+  /** Whether the camera sees each point. */
   readonly isSeen: readonly boolean[]
-  /** Position along the line per point, 0..1. */
+  /** Position of each point along the line, 0..1. */
   readonly along: Float64Array
-  /** Indices of the spline points. */
-  readonly knots: readonly number[]
+}
+
+/** Visible fork in screen space. */
+export interface ProjectedFork {
+  readonly fork: Fork
+  /** CSS pixels from the stage's upper left corner. */
+  readonly x: number
+  readonly y: number
 }
 
 /** Point of a line under the pointer. */
 export interface LineHit {
   readonly stroke: LayerStroke
+  /** Position along the line, 0..1. */
   readonly along: number
   /** Distance to the pointer, CSS pixels. */
   readonly distance: number
 }
 
-/** Interval of visibility tests, points (2 mm). */
+/** Visibility is tested at every fourth point of a line, up to 2 mm apart. */
 const SIGHT_STEP = 4
 
-/** Projects lines on the deformed face to the stage. Cached until the camera or the face moves. */
+/** Projects the lines of the deformed face to screen space. Caches the result until the camera or the face moves. */
 export class LineProjection {
-  /** Inputs of the cached projections. */
+  /** Pose, stage size and camera of the cached projections. */
   #view: readonly unknown[] = []
   #lines = new WeakMap<LayerStroke, ProjectedLine | null>()
 
@@ -60,7 +69,7 @@ export class LineProjection {
   }
 }
 
-/** Returns null if the line misses the skin. */
+/** Projects one line. Returns null if the line is not on the skin. */
 function projectLine(
   stroke: LayerStroke,
   skin: LineSkin,
@@ -70,7 +79,7 @@ function projectLine(
 ): ProjectedLine | null {
   const line = skin.lineOf(stroke)
   if (!line) return null
-  const { triangles, weights, along, knots } = line
+  const { triangles, weights, along } = line
   const point = new Vector3()
   const [x, y] = [new Float32Array(along.length), new Float32Array(along.length)]
   const isSeen: boolean[] = []
@@ -81,10 +90,10 @@ function projectLine(
     y[i] = (0.5 - point.y / 2) * height
     isSeen.push(i % SIGHT_STEP === 0 || i === along.length - 1 ? sight(triangle, own) : isSeen[i - 1])
   }
-  return { stroke, x, y, isSeen, along, knots }
+  return { stroke, x, y, isSeen, along }
 }
 
-/** Finds the visible line nearest to a point of the stage, within a distance. */
+/** Finds the visible line nearest to a stage position, at most `within` CSS pixels away. */
 export function nearestLine(
   lines: readonly ProjectedLine[],
   px: number,
@@ -105,11 +114,57 @@ export function nearestLine(
   return nearest
 }
 
-/** Finds the spline point nearest to a point of the stage, within a distance. Returns -1 if there is none. */
-export function nearestKnot({ x, y, knots }: ProjectedLine, px: number, py: number, within: number): number {
+/** Finds the index of the handle nearest to a point of the stage, at most `within` CSS pixels away. Returns -1 if there is none. */
+export function nearestHandle(
+  { x, y }: ProjectedLine,
+  handles: readonly Handle[],
+  px: number,
+  py: number,
+  within: number,
+): number {
+  return nearestOf(
+    handles.map(({ place }) => ({ x: x[place], y: y[place] })),
+    px,
+    py,
+    within,
+  )
+}
+
+/** Finds the fork nearest to a point of the stage, at most `within` CSS pixels away. */
+export function nearestFork(
+  forks: readonly ProjectedFork[],
+  px: number,
+  py: number,
+  within: number,
+): Fork | undefined {
+  return forks[nearestOf(forks, px, py, within)]?.fork
+}
+
+/** Returns the visible forks of lines. @param strokes strokes of the document, which `forks` refer to by their indices. */
+export function projectForks(
+  forks: readonly Fork[],
+  strokes: readonly LayerStroke[],
+  lines: readonly ProjectedLine[],
+): ProjectedFork[] {
+  const lineOf = new Map(lines.map((line) => [line.stroke, line]))
+  return forks.flatMap((fork) => {
+    const [{ stroke, end }] = fork.ends
+    const line = lineOf.get(strokes[stroke])
+    if (!line) return []
+    const i = end * (line.x.length - 1)
+    return line.isSeen[i] ? [{ fork, x: line.x[i], y: line.y[i] }] : []
+  })
+}
+
+function nearestOf(
+  points: readonly { readonly x: number; readonly y: number }[],
+  px: number,
+  py: number,
+  within: number,
+): number {
   let [nearest, least] = [-1, within]
-  for (const [index, i] of knots.entries()) {
-    const distance = Math.hypot(x[i] - px, y[i] - py)
+  for (const [index, { x, y }] of points.entries()) {
+    const distance = Math.hypot(x - px, y - py)
     if (distance > least) continue
     nearest = index
     least = distance

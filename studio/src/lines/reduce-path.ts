@@ -2,21 +2,21 @@ import { splineKnots } from 'furrow/internal'
 
 /** Pointer position on the skin. */
 export interface PathPoint {
-  /** Position at rest, millimetres. */
+  /** Position on the skin at rest, millimetres. */
   readonly position: readonly [x: number, y: number, z: number]
   readonly uv: readonly [u: number, v: number]
 }
 
-/** Maximum deviation from the pointer path, millimetres: less than a hand's tremor. */
+/** Maximum deviation of the spline from the pointer path, millimetres. This is less than the tremor of a hand. */
 const TOLERANCE = 0.7
-/** Minimum distance of path points, millimetres: pointers send many events per texel. */
+/** Minimum distance between points of the path, millimetres. Pointers send more points than needed. */
 const STEP = 0.3
-/** Minimum path extent, millimetres. A shorter gesture is a click. */
+/** Minimum distance between the start and the farthest point of a path, millimetres. A shorter gesture is a click. */
 const MIN_EXTENT = 2
 
 /**
- * Reduces a pointer path to the few points that a spline needs. Adds points where the spline deviates most, as Ramer (1972) and
- * Douglas and Peucker (1973) do for straight lines.
+ * Reduces a pointer path to the few points that a spline needs. Adds points where the spline deviates most from the
+ * path, as Ramer (1972) and Douglas and Peucker (1973) do for straight lines.
  *
  * @returns an empty array if the path is too short.
  */
@@ -31,7 +31,7 @@ export function reducePath(path: readonly PathPoint[]): PathPoint[] {
   const farthest = away.indexOf(Math.max(...away))
   if (!(away[farthest] >= MIN_EXTENT)) return []
   const positions = Float64Array.from(distinct.flatMap(({ position }) => position))
-  // The ends of a closed path are one point, which splines cannot interpolate.
+  // The ends of a closed path coincide, but a spline needs two different points. So include the farthest point.
   const ends = [...new Set([0, farthest, distinct.length - 1])]
   return splineKnots(positions, TOLERANCE, ends).map((i) => distinct[i])
 }

@@ -1,36 +1,42 @@
 import { FurrowError } from 'furrow'
 import { AUTO_REGIONS } from 'furrow/author'
 import type { AutoRegion } from 'furrow/auto'
-import { AUTO_AGES, AUTO_SIZES, AUTO_STRENGTHS, type AutoSettings } from '../document/document.ts'
+import {
+  AUTO_AGES,
+  AUTO_SIZES,
+  AUTO_STRENGTHS,
+  AUTO_SYMMETRIES,
+  type AutoSettings,
+} from '../document/document.ts'
 import { type LightDirection, MAX_LIGHT } from '../viewer/light-direction.ts'
 
-/** Contents of a link: small settings, never the model itself. */
+/** State of the studio that fits into a URL. Contains the address of the model, not the model. */
 export interface Link {
-  /** Model URL, if public. */
+  /** Public URL of the model. Undefined for dropped files. */
   model?: string | undefined
   /** Blendshape weights, 0..1. Missing ones are 0. */
   pose?: ReadonlyMap<string, number> | undefined
-  /** Position and target in scene units. */
+  /** Position and target of the camera, scene units. */
   camera?: readonly [x: number, y: number, z: number, tx: number, ty: number, tz: number] | undefined
-  /** Light direction. Absent for the default. */
+  /** Direction of the key light. Undefined means the default direction. */
   light?: LightDirection | undefined
-  /** Settings of automatic wrinkles. */
   auto?: AutoSettings | undefined
 }
 
-/** Maximum characters of a link, of an address and of a name, and maximum number of blendshapes. */
+/** Maximum number of characters in a link, an address and a name, and maximum number of blendshapes. */
 const MAX = { link: 20_000, address: 2000, name: 100, weights: 500 } as const
 /** Maximum absolute camera coordinate. */
 const MAX_COORDINATE = 1e6
-/** Maximum 32-bit seed. */
+/** Largest random seed, a 32-bit integer. */
 const MAX_SEED = 2 ** 32 - 1
 
 /**
  * Formats a link as a URL hash without `#`, for example
- * `model=faces/human.glb&pose=jawOpen:0.25&camera=0,1.6,0.5,0,1.6,0&light=60,20&auto=45,1,1024,1`. Regions can follow in `auto`, and
- * `lines=chin:2` has seeds per region.
+ * `model=faces/human.glb&pose=jawOpen:0.25&camera=0,1.6,0.5,0,1.6,0&light=60,20&auto=45,1,1024,1`. The values of `auto` are age, strength,
+ * map size, seed and, optionally, regions of the face. The optional parts `lines=chin:2` and
+ * `symmetry=0.5` set the seed of the region `chin` and the symmetry.
  *
- * @param base page URL. Models below its folder get a relative address.
+ * @param base page URL. If the model is below the page's folder, its address in the link is relative.
  */
 export function formatLink({ model, pose, camera, light, auto }: Link, base: string): string {
   const parts: string[] = []
@@ -43,20 +49,21 @@ export function formatLink({ model, pose, camera, light, auto }: Link, base: str
   if (camera) add('camera', camera.map((value) => Number(value.toPrecision(5))).join(','))
   if (light) add('light', `${light.yaw},${light.pitch}`)
   if (auto) {
-    const { age, strength, size, seed, regions = [], seeds = {} } = auto
-    add('auto', [age ?? '', strength, size, seed, ...regions].join(','))
+    const { age, strength, size, seed, symmetry = 0, regions = [], seeds = {} } = auto
+    add('auto', [age ?? '', strength, size, seed ?? '', ...regions].join(','))
     const lines = Object.entries(seeds).map(([region, own]) => `${region}:${own}`)
     if (lines.length > 0) add('lines', lines.join(','))
+    if (symmetry > 0) add('symmetry', `${symmetry}`)
   }
   return parts.join('&')
 }
 
 /**
- * Parses an untrusted link. Rejects numbers out of range, and addresses that are not https or of the page's origin.
+ * Parses an untrusted link. The address of the model must begin with `https:` or have the origin of the page.
  *
  * @param hash with or without `#`.
  * @param base page URL.
- * @throws FurrowError for the first invalid part. Unknown parts are ignored.
+ * @throws FurrowError for the first invalid part, such as a number out of range. Unknown parts are ignored.
  */
 export function parseLink(hash: string, base: string): Link {
   const text = hash.replace(/^#/, '')
@@ -73,18 +80,23 @@ export function parseLink(hash: string, base: string): Link {
   }
   const auto = read('auto', autoOf)
   const seeds = read('lines', seedsOf)
+  const symmetry = read('symmetry', (part) => numberIn(part, 'its symmetry', ...AUTO_SYMMETRIES))
   return {
     model: read('model', (part) => addressOf(unescaped(part), base)),
     pose: read('pose', poseOf),
     camera: read('camera', cameraOf),
     light: read('light', lightOf),
-    auto: auto && seeds ? { ...auto, seeds } : auto,
+    auto: auto && {
+      ...auto,
+      ...(seeds && { seeds }),
+      ...(symmetry !== undefined && { symmetry }),
+    },
   }
 }
 
 function addressOf(text: string, base: string): string {
   const fail = () =>
-    unusableError('the address of its model', text.slice(0, MAX.name), 'https, or beside this page')
+    unusableError('the address of its model', text.slice(0, MAX.name), 'an https URL, or a URL on this site')
   if (text.length > MAX.address || !URL.canParse(text, base)) throw fail()
   const url = new URL(text, base)
   const isAllowed = url.protocol === 'https:' || url.origin === new URL(base).origin
@@ -114,7 +126,7 @@ function cameraOf(text: string): Link['camera'] {
     .map((value) => numberIn(value, 'its camera', -MAX_COORDINATE, MAX_COORDINATE))
   const [x, y, z, tx, ty, tz] = values
   const distance = Math.hypot(x - tx, y - ty, z - tz)
-  // Looking straight up or down leaves the up direction undefined.
+  // If the camera looks straight up or down, its up direction is undefined.
   const isUpright = Math.hypot(x - tx, z - tz) > 1e-3 * distance
   if (values.length !== 6 || !isUpright)
     throw unusableError('its camera', text.slice(0, MAX.name), '6 numbers')
@@ -140,7 +152,7 @@ function autoOf(text: string): AutoSettings {
     ...(age !== '' && { age: numberIn(age, 'its age', ...AUTO_AGES) }),
     strength: numberIn(strength, 'its strength', ...AUTO_STRENGTHS),
     size: side,
-    seed: seedIn(seed),
+    ...(seed && { seed: seedIn(seed) }),
     ...(regions.length > 0 && { regions: AUTO_REGIONS.filter((region) => regions.includes(region)) }),
   }
 }
@@ -172,13 +184,13 @@ function numberIn(text: string | undefined, problem: string, low: number, high: 
   throw unusableError(problem, text?.slice(0, MAX.name), `${low} to ${high}`)
 }
 
-/** Makes an address relative if it is below the page's folder. */
+/** Makes the address of a model relative if the model is below the page's folder. */
 function relative(address: string, base: string): string {
   const folder = new URL('.', base).href
   return address.startsWith(folder) ? address.slice(folder.length) : address
 }
 
-/** Escapes text for a link. Keeps `/`, which is safe in a hash and more readable. */
+/** Escapes text for a link. Keeps `/`, which is allowed in a URL hash and easier to read. */
 function escaped(text: string): string {
   return encodeURIComponent(text).replaceAll('%2F', '/')
 }
@@ -198,6 +210,6 @@ function unusableError(problem: string, value: unknown, limit?: string): FurrowE
     problem: `the link cannot be used: ${problem}`,
     value,
     limit,
-    remedy: 'ask for it again, or go on without it',
+    remedy: 'ask for the link again, or open an avatar yourself',
   })
 }

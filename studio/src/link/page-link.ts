@@ -1,6 +1,7 @@
+import { AUTO_SETTINGS } from '../document/document.ts'
 import type { Loading } from '../loading.ts'
 import type { Messages } from '../messages.ts'
-import { AUTO_SETTINGS, type Workspace } from '../session/workspace.ts'
+import type { Workspace } from '../session/workspace.ts'
 import { fetchAvatar, fileNameOf } from '../viewer/faces.ts'
 import type { LoadAvatar, ViewerHost } from '../viewer/viewer-host.ts'
 import { formatLink, type Link, parseLink } from './link.ts'
@@ -12,11 +13,11 @@ export interface PageLinkParts {
   messages: Messages
   loading: Loading
   light: ShownScene['light']
-  /** Runs changes of blendshapes and camera. */
+  /** Runs a function that changes blendshapes and camera. */
   set(write: () => void): void
 }
 
-/** Link in the hash of the page's URL: applies it, and makes links to the current state. */
+/** Applies the link in the hash of the page's URL. Copies links that open the current state. */
 export class PageLink {
   readonly #parts: PageLinkParts
   #link: Link | null = null
@@ -26,7 +27,7 @@ export class PageLink {
     addEventListener('hashchange', () => void this.#follow())
   }
 
-  /** Reads the link. Shows an error and ignores the link if it is invalid. */
+  /** Reads the link from the page's URL. If the link is invalid, shows an error and ignores the link. */
   async read(): Promise<void> {
     this.#link = null
     if (location.hash.length < 2) return
@@ -38,7 +39,7 @@ export class PageLink {
     })
   }
 
-  /** Loader of the link's model, or null. */
+  /** Function that loads the model of the link, or null if the link has no model. */
   get load(): LoadAvatar | null {
     const model = this.#link?.model
     if (model === undefined) return null
@@ -50,7 +51,7 @@ export class PageLink {
     }
   }
 
-  /** Applies the pose and the camera of the link. Returns whether there is a link. */
+  /** Applies the pose, the camera and the light of the link. Returns false if there is no link or no face. */
   show(): boolean {
     const [link, scene] = [this.#link, this.#scene]
     if (!link || !scene) return false
@@ -58,7 +59,7 @@ export class PageLink {
     return true
   }
 
-  /** Copies a link to the current state, and sets the page's URL to it. */
+  /** Copies a link that opens the current state, and sets the page's URL to this link. */
   async copy(): Promise<void> {
     const { workspace, messages } = this.#parts
     const scene = this.#scene
@@ -66,7 +67,7 @@ export class PageLink {
     const link = linkOf(scene, workspace.session.document.peek()?.auto)
     history.replaceState(null, '', `#${formatLink(link, location.href)}`)
     const contents = link.model === undefined ? 'the avatar itself is not in it' : 'it opens this avatar'
-    // The clipboard can be denied, and is missing on insecure pages.
+    // Users can deny access to the clipboard. Insecure pages have no clipboard.
     const isCopied = await navigator.clipboard?.writeText(location.href).then(
       () => true,
       () => false,

@@ -7,7 +7,7 @@ import { KEY_LIGHT } from '../viewer/staging.ts'
 import type { Viewer } from '../viewer/viewer.ts'
 import type { Link } from './link.ts'
 
-/** Shown face with camera and light. */
+/** Face in the viewer, with the camera and the direction of the key light. */
 export interface ShownScene {
   viewer: Viewer
   orbit: Orbit
@@ -15,9 +15,9 @@ export interface ShownScene {
 }
 
 /**
- * Makes a link to the shown face.
+ * Makes a link to the current state of a scene.
  *
- * @param auto settings of its automatic wrinkles. Undefined for other wrinkles.
+ * @param auto settings of the face's automatic wrinkles. Undefined for other wrinkles.
  */
 export function linkOf({ viewer, orbit, light }: ShownScene, auto: AutoSettings | undefined): Link {
   const { avatar, targets } = viewer
@@ -32,7 +32,7 @@ export function linkOf({ viewer, orbit, light }: ShownScene, auto: AutoSettings 
   }
 }
 
-/** Applies a link to the shown face. Ignores missing blendshapes. */
+/** Applies the pose, the light and the camera of a link. Ignores blendshapes that the face lacks. */
 export function applyLink({ pose, camera, light }: Link, scene: ShownScene): void {
   const { viewer, orbit } = scene
   scene.light.value = light ?? KEY_LIGHT

@@ -1,13 +1,13 @@
 /**
- * Caches the built page for offline use. Builds are never mixed: a new one takes over when all pages of the old one are closed.
+ * Caches the built page for offline use. A new build takes over only after all pages of the old build are closed, so builds are never mixed.
  *
- * `offline.ts` writes this file into the build and replaces the constants in quotes.
+ * `offline.ts` adds this file to the build, and replaces `'FILES'` and `'VERSION'`.
  */
 
 const FILES: unknown = 'FILES'
 const CACHE = `furrow-studio ${'VERSION'}`
 
-/** Types missing in TypeScript's library for pages. */
+/** Event types that TypeScript's DOM library lacks. */
 interface LifeEvent extends Event {
   waitUntil(work: Promise<unknown>): void
 }
@@ -41,10 +41,10 @@ addEventListener('fetch', (event) => {
   ;(event as RequestEvent).respondWith(answer(request))
 })
 
-/** Serves from the cache, else from the network, and caches the response: files of a build never change. */
+/** Answers from the cache, otherwise from the network. Caches responses of the network, because files of a build never change. */
 async function answer(request: Request): Promise<Response> {
   const cache = await caches.open(CACHE)
-  // The page itself reads the query. Files do not depend on the origin, although some servers send `Vary: Origin`.
+  // Ignore the query, which only scripts read, and `Vary: Origin`, which some servers send although the origin does not matter.
   const known = await cache.match(request, { ignoreSearch: true, ignoreVary: true })
   if (known) return known
   const response = await fetch(request)

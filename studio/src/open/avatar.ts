@@ -19,15 +19,15 @@ export interface OpenedAvatar {
   readonly name: string
   /** Original file, followed by the files that it references. */
   readonly files: readonly [DroppedFile, ...DroppedFile[]]
-  /** Public URL. Absent for dropped files. */
+  /** Public URL of the file. Absent for dropped files. */
   readonly address?: string
-  /** Folder of its wrinkles, if they are not in its file. */
+  /** Folder with the avatar's wrinkles, if they are not in the avatar's file. */
   readonly folder?: WrinklesFolder
-  /** Document opened with the avatar, if any. */
+  /** Document of the project with which the avatar was opened, if any. */
   readonly document?: StudioDocument
   readonly root: Object3D
   readonly skins: readonly SkinCandidate[]
-  /** Index of the skin. */
+  /** Index of the chosen skin in `skins`. */
   readonly skin: number
   readonly animations: readonly AnimationClip[]
   readonly vrm: VRM | null
@@ -38,7 +38,7 @@ export interface OpenedAvatar {
 }
 
 /**
- * Opens a dropped avatar, or the current one with dropped wrinkles.
+ * Opens a dropped avatar. If only wrinkles were dropped, opens the current avatar with them.
  *
  * @param shown current avatar.
  * @throws FurrowError if the files are invalid, or if there is nothing to show.
@@ -57,12 +57,12 @@ export async function openDropped(
   return { ...avatar, folder: dropped.wrinkles, skins, notes }
 }
 
-/** Whether the studio wrote the folder, which then opens as a document. */
+/** Whether the studio wrote a folder. Such a folder contains a document. */
 function isProject({ files }: WrinklesFolder): boolean {
   return files.some(({ path }) => path === STUDIO_FILE)
 }
 
-/** Opens a project with its avatar, or with the current one if it has none. */
+/** Opens a project with its avatar, or with the current avatar if the project contains none. */
 async function openProject(
   folder: WrinklesFolder,
   notes: readonly string[],
@@ -80,9 +80,9 @@ async function openProject(
 }
 
 /**
- * Opens an avatar. Invalid wrinkles are omitted with a note.
+ * Opens an avatar. If its wrinkles are invalid, opens it without them and adds a note.
  *
- * @param dropped other dropped files: referenced files, and wrinkles that replace the avatar's own.
+ * @param dropped other dropped files: referenced files, and wrinkles that replace the wrinkles in the avatar's file.
  * @throws FurrowError if the avatar is invalid, or if there is nothing to show.
  */
 export async function openAvatar(
@@ -119,14 +119,12 @@ export async function openAvatar(
   }
 }
 
-/** Returns the avatar as a face for the stage. */
 export function faceOf({ root, skins, skin }: OpenedAvatar): Face {
   const { meshes, wrinkles } = skins[skin]
   const [first, ...parts] = meshes
   return { root, skin: first, parts, wrinkles }
 }
 
-/** Frees the memory of an avatar that is no longer shown. */
 export function disposeAvatar({ root }: OpenedAvatar): void {
   releaseFromGPU(root)
   for (const { source } of texturesOf(root)) (source.data as { close?(): void } | null)?.close?.()
@@ -143,7 +141,7 @@ function noAvatarError(folder: string): FurrowError {
   return new FurrowError({
     who: 'Studio',
     problem: `there is no avatar for the wrinkles in ${folder}`,
-    remedy: 'drop one first, or together with them',
+    remedy: 'drop an avatar first, or together with the wrinkles',
   })
 }
 

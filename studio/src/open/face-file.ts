@@ -10,18 +10,19 @@ import {
 } from 'furrow-files'
 import { bytesOf, type DroppedFile } from '../files/dropped-files.ts'
 
-/** Parsed glTF file without decoded content, and the files that it references. */
+/** glTF file with its parsed JSON, and the files that it references. */
 export interface FaceFile {
   bytes: Uint8Array<ArrayBuffer>
   json: GltfJson
-  /** Files by URI. */
+  /** Referenced files. The keys are URIs in the glTF file. */
   references: ReadonlyMap<string, DroppedFile>
 }
 
 const WHO = 'Studio'
 
 /**
- * Reads a face: `.glb`, `.vrm` or `.gltf`, detected by content. Finds referenced files by path, or by name if folders are missing.
+ * Reads the file of a face: `.glb`, `.vrm` or `.gltf`. Detects the format by content, not by extension. Finds referenced files by path, or by name if
+ * their folders are missing.
  *
  * @param dropped all dropped files.
  * @throws FurrowError if the file is not valid glTF 2.0, a referenced file is missing, or the files are too large.
@@ -42,7 +43,7 @@ export async function readFaceFile(face: DroppedFile, dropped: readonly DroppedF
   return { bytes, json, references }
 }
 
-/** Finds the file of a URI: the file at its path, or else the only file with its name. */
+/** Finds the file to which a URI refers: the file at this path, or else the only file with this name. */
 function referenced(face: DroppedFile, uri: string, dropped: readonly DroppedFile[]): DroppedFile {
   const path = normalised(`${folderOf(face.path)}${pathOf(face.path, uri, WHO)}`)
   const exact = dropped.find((file) => file.path === path)

@@ -9,7 +9,6 @@ import type { FaceFile } from './face-file.ts'
 import { findSkins, type SkinCandidate } from './skins.ts'
 import { hoistNames } from './target-names.ts'
 
-/** Face loaded by three.js. */
 export interface LoadedGltf {
   gltf: GLTF
   skins: SkinCandidate[]
@@ -20,11 +19,11 @@ export interface LoadedGltf {
   notes: string[]
 }
 
-/** URL prefix of referenced files while loading. Does not exist. */
+/** Made-up base URL. URLs that begin with it are replaced by URLs of the referenced files. */
 const BASE = 'dropped:/'
 
 /**
- * Loads a face with three.js. Fetches decoders and VRM plugins only if the file needs them.
+ * Loads a face with three.js. Downloads decoders and the VRM plugin only if the file needs them.
  *
  * @param name file name for errors.
  * @throws FurrowError if the file is damaged.
@@ -37,7 +36,7 @@ export async function loadGltf(face: FaceFile, name: string): Promise<LoadedGltf
     } catch (error) {
       if (!isVrm) throw error
       const loaded = await load(face, false)
-      loaded.notes.push(`${name} is opened without what makes it a VRM (${firstLine(error)})`)
+      loaded.notes.push(`${name} is opened without its VRM features (${firstLine(error)})`)
       return loaded
     }
   } catch (error) {
@@ -92,7 +91,7 @@ async function addDecoders(
   }
   if (usesExtension(face, 'KHR_texture_basisu')) {
     const { KTX2Loader } = await import('three/addons/loaders/KTX2Loader.js')
-    // The stage's renderer is created later and can change. WebGPU supports the formats that WebGL supports on the same GPU.
+    // The stage has no renderer yet, so ask a temporary one for the texture formats of the GPU. WebGPU supports these formats, too.
     const renderer = new WebGLRenderer()
     const ktx2 = new KTX2Loader(manager).detectSupport(renderer)
     renderer.dispose()
@@ -103,7 +102,7 @@ async function addDecoders(
   return added
 }
 
-/** Whether a file uses an extension. Some files list an extension only in `extensions`. */
+/** Whether a file uses an extension. Some files store an extension in `extensions` but do not list it in `extensionsUsed`. */
 function usesExtension({ json }: FaceFile, extension: string): boolean {
   return Boolean(json.extensionsUsed?.includes(extension) || json.extensions?.[extension])
 }

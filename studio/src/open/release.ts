@@ -1,6 +1,5 @@
 import type { Material, Mesh, Object3D, ShaderMaterial, Texture } from 'three'
 
-/** Collects all textures of an object's materials. */
 export function texturesOf(root: Object3D): Set<Texture> {
   const textures = new Set<Texture>()
   for (const material of materialsOf(root)) {
@@ -12,7 +11,7 @@ export function texturesOf(root: Object3D): Set<Texture> {
   return textures
 }
 
-/** Frees the GPU resources of an object. Other renderers can still use it. */
+/** Frees the GPU resources of an object. A renderer that draws the object again uploads them again. */
 export function releaseFromGPU(root: Object3D): void {
   for (const texture of texturesOf(root)) texture.dispose()
   for (const material of materialsOf(root)) material.dispose()

@@ -7,13 +7,13 @@ import type { OpenedAvatar } from '../open/avatar.ts'
 /** Skin of an avatar, for making and drawing wrinkles. */
 export interface SkinSource {
   readonly skin: Skin
-  /** Names of its mesh; the first is unique in the file. */
+  /** Names of the skin's mesh. The first one is unique in the file. */
   readonly meshes: readonly [string, ...string[]]
-  /** Tangent frame in which renderers read its normal maps. */
+  /** Tangent frame in which renderers read the skin's normal maps. */
   readonly frame: TangentFrame
 }
 
-/** Returns null if the avatar's skin cannot wrinkle. A skin without blendshapes has no targets. */
+/** Reads the chosen skin of an avatar. Returns null if this skin cannot wrinkle. */
 export function skinSource({ skins, skin }: OpenedAvatar): SkinSource | null {
   const { meshes, expressions, problem, meshNames } = skins[skin]
   if (problem !== null) return null
@@ -21,7 +21,7 @@ export function skinSource({ skins, skin }: OpenedAvatar): SkinSource | null {
   return { skin: skinOf(data), frame: data.frame, meshes: meshNames }
 }
 
-/** Applies corrections of recognised blendshapes. */
+/** Applies the artist's corrections of recognised blendshapes to a skin. */
 export function correctedSkin(
   { skin, meshes }: Pick<SkinSource, 'skin' | 'meshes'>,
   corrections: readonly ShapeCorrection[],

@@ -23,19 +23,19 @@ import type { GLTF } from 'three/addons/loaders/GLTFLoader.js'
 
 /** Candidate for the skin of an avatar: the primitives of one mesh with one material. */
 export interface SkinCandidate {
-  /** Mesh name in the file, with the material if the mesh has several. */
+  /** Mesh name in the file, followed by the material's name if the mesh has several materials. */
   name: string
-  /** The first mesh drives the others. */
+  /** One three.js mesh for each primitive. Drivers read the blendshapes of the first one. */
   meshes: [Mesh, ...Mesh[]]
-  /** Names of its mesh and material, as in `wrinkles.json`. */
+  /** Names of the skin's mesh and material, as in `wrinkles.json`. */
   target: TargetNames
-  /** All names of its mesh; the first is unique in the file. */
+  /** All names of the skin's mesh. The first one is unique in the file. */
   meshNames: [string, ...string[]]
-  /** Names of VRM expressions with a single blendshape, by its index. */
+  /** Names of the VRM expressions that consist of a single blendshape. The keys are indices of blendshapes. */
   expressions: ReadonlyMap<number, string>
   triangles: number
   blendshapes: number
-  /** Why it cannot wrinkle, with a remedy, or null. */
+  /** Reason why the skin cannot wrinkle, with a remedy, or null. */
   problem: string | null
   wrinkles: FileWrinkles | null
 }
@@ -43,7 +43,7 @@ export interface SkinCandidate {
 /**
  * Lists skin candidates of a file with their wrinkles.
  *
- * @param onProblem receives a sentence for each omission.
+ * @param onProblem receives a sentence for each part of the wrinkles that is skipped as invalid.
  */
 export async function findSkins(gltf: GLTF, onProblem: (problem: string) => void): Promise<SkinCandidate[]> {
   const { parser } = gltf
@@ -54,7 +54,7 @@ export async function findSkins(gltf: GLTF, onProblem: (problem: string) => void
       const wrinkles = await read(material)
       for (const [mesh] of chooseFaces(faces, wrinkles)) wrinkled.set(mesh, wrinkles)
     } catch (error) {
-      onProblem(`${(error as Error).message}; the face stays plain`)
+      onProblem(`${(error as Error).message}; the face is shown without wrinkles`)
     }
   }
   return facesOf(gltf, parser).map((meshes) => {
@@ -65,11 +65,11 @@ export async function findSkins(gltf: GLTF, onProblem: (problem: string) => void
 }
 
 /**
- * Chooses the skin like automatic wrinkles: among meshes with blendshapes and texture coordinates, the one with the most surface moved by
- * brows, lids and mouth. Prefers a skin with wrinkles. Without blendshapes, chooses the largest mesh.
+ * Chooses the skin of an avatar: the first candidate that has wrinkles. If there is none, chooses the candidate whose surface moves most, as
+ * `furrow auto` does. If no candidate has blendshapes, chooses the one with the most triangles.
  *
  * @param skins at least one.
- * @returns its index.
+ * @returns index of the skin.
  */
 export function indexOfSkin(skins: readonly SkinCandidate[]): number {
   const wrinkled = skins.findIndex(({ wrinkles }) => wrinkles)
@@ -91,7 +91,7 @@ export function indexOfSkin(skins: readonly SkinCandidate[]): number {
   return skins.indexOf(largest)
 }
 
-/** Returns the index of a document's skin, or the chosen one if it is missing. */
+/** Returns the index of the skin that a document names, or `skin` if the avatar has no such skin. */
 export function skinOfDocument(
   { skins, skin }: { skins: readonly SkinCandidate[]; skin: number },
   { mesh, material }: TargetNames,

@@ -3,15 +3,15 @@ import { CHOOSE_FACE, HEAD_BYTES, kindOf, otherFormat, unusable } from 'furrow-f
 import { bytesOf, type DroppedFile } from '../files/dropped-files.ts'
 import type { WrinklesFolder } from '../files/folder-files.ts'
 
-/** Classified dropped files. */
+/** Dropped files, with the kind of their contents. */
 export type Dropped = DroppedAvatar | DroppedWrinkles | DroppedCaptures | DroppedAreas
 
 export interface DroppedAvatar {
   kind: 'avatar'
   face: DroppedFile
-  /** All files: the face can reference any of them. */
+  /** All dropped files. The face can reference any of them. */
   files: readonly DroppedFile[]
-  /** Wrinkles that replace the wrinkles in the face. */
+  /** Wrinkles that replace the wrinkles in the file of the face. */
   wrinkles: WrinklesFolder | null
   /** Messages about choices among several files, one sentence each. */
   notes: readonly string[]
@@ -24,7 +24,7 @@ export interface DroppedWrinkles {
   notes: readonly string[]
 }
 
-/** Tables for the current avatar. At least one should be a capture: the app also writes other tables. */
+/** CSV files for the current avatar: a facial capture, and possibly other tables that the app Live Link Face writes. */
 export interface DroppedCaptures {
   kind: 'captures'
   tables: readonly DroppedFile[]
@@ -39,13 +39,13 @@ export interface DroppedAreas {
 const FACE = /\.(glb|vrm|gltf)$/i
 const TABLE = /\.csv$/i
 const IMAGE = /\.(png|jpe?g|webp|avif)$/i
-/** Files that mark a folder of wrinkles. */
+/** Paths of files by which a folder of wrinkles is recognised. */
 const WRINKLES = /^(|.*\/)(wrinkles\.json|layers\/[^/]+\/normal\.png)$/
 
 /**
- * Classifies dropped files by name and by first bytes.
+ * Finds the kind of dropped files by their names and their first bytes.
  *
- * @throws FurrowError if no file is supported; describes the first file.
+ * @throws FurrowError if no file is supported. The message describes the first file.
  */
 export async function sortFiles(dropped: readonly DroppedFile[]): Promise<Dropped> {
   const files = await unpacked(dropped)
@@ -58,7 +58,7 @@ export async function sortFiles(dropped: readonly DroppedFile[]): Promise<Droppe
     notes.push(`Took the wrinkles in ${wrinkles.name}, one of ${1 + others.length} folders`)
   if (face) return { kind: 'avatar', face, files, wrinkles: wrinkles ?? null, notes }
   if (wrinkles) return { kind: 'wrinkles', wrinkles, notes }
-  // Captures first: a take contains a picture too.
+  // Look for captures before images, because a recording by Live Link Face also contains a picture.
   const tables = files.filter(({ path }) => TABLE.test(path))
   if (tables.length > 0) return { kind: 'captures', tables }
   const images = files.filter(({ path }) => IMAGE.test(path))
@@ -66,7 +66,6 @@ export async function sortFiles(dropped: readonly DroppedFile[]): Promise<Droppe
   throw await unsupportedFilesError(files)
 }
 
-/** Replaces .zip files by their contents. */
 async function unpacked(files: readonly DroppedFile[]): Promise<DroppedFile[]> {
   const lists = files.map(async (dropped) => {
     const { path, file } = dropped
@@ -79,7 +78,7 @@ async function unpacked(files: readonly DroppedFile[]): Promise<DroppedFile[]> {
   return (await Promise.all(lists)).flat()
 }
 
-/** Finds folders of wrinkles, top-level ones first. */
+/** Finds folders of wrinkles. The list begins with the least nested folder. */
 function wrinklesFolders(files: readonly DroppedFile[]): (WrinklesFolder & { path: string })[] {
   const paths = new Set(files.flatMap(({ path }) => WRINKLES.exec(path)?.[1] ?? []))
   return [...paths].sort(byDepth).map((path) => ({
@@ -91,7 +90,7 @@ function wrinklesFolders(files: readonly DroppedFile[]): (WrinklesFolder & { pat
   }))
 }
 
-/** Finds faces by name, or else by first bytes, top-level ones first. */
+/** Finds faces by file name, or by their first bytes if no name matches. The list begins with the least nested file. */
 async function findFaces(files: readonly DroppedFile[]): Promise<DroppedFile[]> {
   const named = files.filter(({ path }) => FACE.test(path))
   const faces = named.length > 0 ? named : await binaryFaces(files)

@@ -5,7 +5,7 @@ import { Folder } from '../files/folder.ts'
 import type { WrinklesFolder } from '../files/folder-files.ts'
 
 /**
- * Reads a folder of wrinkles like `furrow pack`.
+ * Reads a folder of wrinkles as `furrow pack` does.
  *
  * @throws FurrowError if the document is invalid, or if an image is missing or invalid.
  */

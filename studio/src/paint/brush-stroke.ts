@@ -8,13 +8,17 @@ import { skinPath } from './skin-path.ts'
 import { distanceBetween } from './vectors.ts'
 import type { Sight } from './visible-places.ts'
 
-/** Distance of dabs as a fraction of the radius: their envelope deviates less than 0.5% from a continuous brush. */
+/**
+ * Distance between dabs (imprints of the brush) as a fraction of the radius. At this distance, the coverage of a stroke differs by at most 0.5%
+ * from the coverage of a continuous brush.
+ */
 const SPACING = 0.08
-/** Maximum step in the texture, texels, and the ratio of skin distance to step length above which a step crosses a seam. */
+/** Maximum step of a stroke that is drawn in the texture, texels. */
 const TEXTURE_STEP = 0.5
+/** A step in the texture crosses a UV seam if its length on the skin is more than this multiple of the expected length. */
 const JUMP = 10
 
-/** Brush stroke on an area: dabs at even distances on the skin, regardless of the number of pointer events. */
+/** Brush stroke on an area: dabs at even distances on the skin, whatever the distances between pointer events. */
 export class BrushStroke {
   readonly #isFill: boolean
   readonly #skin: PaintSkin
@@ -29,7 +33,7 @@ export class BrushStroke {
 
   /**
    * @param image square area, not modified.
-   * @param sight visibility test; by default, and in the texture, hidden skin is painted too. Fill ignores visibility.
+   * @param sight visibility test. Without it, hidden skin is painted too. Ignored in the mode `fill`.
    * @throws FurrowError if a brush setting is out of range, or the image cannot be painted.
    */
   constructor(image: GrayImage, brush: Brush, skin: PaintSkin, sight?: Sight) {
@@ -47,7 +51,7 @@ export class BrushStroke {
   /**
    * Continues the stroke to a point on the skin.
    *
-   * @param point undefined off the face, which interrupts the stroke.
+   * @param point point on the skin, or undefined if the pointer is not on the face. Undefined interrupts the stroke.
    * @param pressure pen pressure, 0..1. Default 1.
    * @returns changed texels.
    */
@@ -57,7 +61,7 @@ export class BrushStroke {
     return this.#dabs.takeChanged()
   }
 
-  /** Continues the stroke in a straight line in the texture, without following the skin between UV islands. */
+  /** Continues the stroke along a straight line in the texture. The stroke is interrupted where the line leaves a UV island. */
   moveInTexture(u: number, v: number, pressure = 1): Rectangle | undefined {
     const [fromU, fromV] = this.#lastUv ?? [u, v]
     const first = this.#lastPressure
@@ -72,7 +76,6 @@ export class BrushStroke {
     return this.#dabs.takeChanged()
   }
 
-  /** Returns the result of the stroke. */
   end(): Painted {
     return { image: this.image, dirty: this.#dabs.changed }
   }

@@ -5,8 +5,9 @@ export const BRUSH_MODES = ['add', 'remove', 'smooth', 'fill'] as const
 export type BrushMode = (typeof BRUSH_MODES)[number]
 
 /**
- * Brush settings. A dab gives each texel a target: `opacity` times falloff times pen pressure. The coverage approaches the target by
- * the fraction `flow`, so that a stroke never exceeds its opacity where it crosses itself.
+ * Settings of a brush. A brush stroke is a series of dabs (imprints of the brush). The stroke starts with the coverage 0 at each texel. Each
+ * dab has the target `opacity * falloff * pressure`. If the target exceeds the coverage, the coverage moves by the fraction `flow` towards it. A stroke that crosses itself
+ * therefore never exceeds its opacity.
  */
 export interface Brush {
   mode: BrushMode
@@ -14,11 +15,11 @@ export interface Brush {
   radius: number
   /** Width of the soft edge as a fraction of the radius, 0..1. */
   softness: number
-  /** Fraction of the remaining coverage that a dab adds, above 0, up to 1. */
+  /** Each dab adds this fraction of the missing coverage, above 0, up to 1. */
   flow: number
   /** Maximum coverage, 0..1. */
   opacity: number
-  /** Whether to paint the other side of the face too. */
+  /** Whether to also paint the mirror image of the stroke. */
   mirror: boolean
 }
 
@@ -31,10 +32,10 @@ export const BRUSH_DEFAULTS = {
   mirror: false,
 } as const satisfies Brush
 
-/** Minimum and maximum radius, millimetres: a pore and a head. */
+/** Minimum and maximum radius, millimetres: about the sizes of a pore and a head. */
 export const BRUSH_RADII = [0.1, 150] as const
 
-/** @throws FurrowError that names the invalid setting. */
+/** @throws FurrowError if a setting is out of range. */
 export function checkBrush({ mode, radius, softness, flow, opacity }: Brush): void {
   if (!BRUSH_MODES.includes(mode)) throw rangeError('mode', mode, BRUSH_MODES.join(', '))
   const [least, most] = BRUSH_RADII
@@ -51,17 +52,17 @@ function rangeError(setting: string, value: unknown, limit: string): FurrowError
     problem: `${setting} of the brush out of range`,
     value,
     limit,
-    remedy: 'choose one in this range',
+    remedy: 'choose a value in this range',
   })
 }
 
-/** Returns the coverage at a distance from the centre, 0..1: 1 in the core, then smoothstep to 0 at the radius. */
+/** Returns the falloff at a distance from the brush's centre: 1 up to the soft edge, then smoothstep to 0 at the radius. */
 export function falloff(distance: number, radius: number, softness: number): number {
   if (distance >= radius) return 0
   return softness === 0 ? 1 : fade((distance / radius - 1 + softness) / softness)
 }
 
-/** Returns 1 - smoothstep: from 1 at 0 to 0 at 1. */
+/** Returns `1 - smoothstep(0, 1, t)`. */
 export function fade(t: number): number {
   const x = Math.min(Math.max(t, 0), 1)
   return 1 - x * x * (3 - 2 * x)

@@ -8,19 +8,22 @@ import { Reach } from './reach.ts'
 import { Smoother } from './smoother.ts'
 import { type Sight, VisiblePlaces } from './visible-places.ts'
 
-/** Texels by which the radius is extended: filtering reads texels beyond a seam. */
+/** Margin of the search beyond the radius, texels. A texel beyond a UV island can be inside the radius although its triangle is outside. */
 const PAD = 1
-/** Minimum radius in texels, so that a dab covers at least one. */
+/** Minimum radius in texels, so that the brush covers at least one texel. */
 const MIN_RADIUS = 1.25
-/** Cell side of the smoothing grid, as a fraction of the radius, and its minimum in texels. */
+/** Cell width of the smoothing grid, as a fraction of the radius. */
 const CELL = 0.25
+/** Minimum cell width of the smoothing grid, texels. */
 const MIN_CELL = 1.5
-/** Cells beyond the radius that contribute to the averages. */
+/** Margin of the smoothing grid beyond the radius, cells. The local means include the weights in this margin. */
 const CELLS_AROUND = 2
 
 /**
- * Applies dabs to an area. A dab covers the skin that lies within its radius and is connected with its centre there. Seams have no
- * effect, and the other lip is not painted.
+ * Applies dabs (imprints of a brush) to the weights of an area. A dab covers the skin that is connected with its centre inside its
+ * radius. So a dab on one lip does not paint the other lip. UV seams have no effect.
+ *
+ * In the code, a place is a pair of a texel and a triangle that contains it; see `PaintMapArrays`.
  */
 export class Dabs {
   /** Painted area. Its data changes with each dab. */
@@ -30,22 +33,23 @@ export class Dabs {
   readonly #skin: PaintSkin
   readonly #map: PaintMap
   readonly #reach: Reach
-  /** Coverage per texel, 0..1. When smoothing, unrounded weights instead, 0..255. */
+  /** Coverage of each texel, 0..1. In the mode `smooth`, the weight of each texel before rounding, 0..255. */
   readonly #state: Float32Array
-  /** Targets of the current dab per texel, and the texels that have one. */
+  /** Target coverage of each texel in the current dab, 0..1. */
   readonly #target: Float32Array
+  /** Texels whose `#target` is above 0. */
   #touched: number[] = []
-  /** Sums and counts of means per texel, for smoothing. */
+  /** Sum and number of the local means at each texel, in the mode `smooth`. A dab and its mirror image can add one mean each. */
   readonly #sums: Float32Array
   readonly #counts: Uint8Array
-  /** Visibility for the dab and its mirror image. Empty if hidden skin is painted too. */
+  /** Visible places for dabs and for their mirror images. Empty without a visibility test. */
   readonly #seen: readonly VisiblePlaces[]
   #bounds: Bounds
   readonly #allBounds: Bounds
 
   /**
    * @param image square area, not modified.
-   * @param sight visibility test; by default, hidden skin is painted too. Fill ignores visibility.
+   * @param sight visibility test. Without it, hidden skin is painted too. Ignored in the mode `fill`.
    * @throws FurrowError if a brush setting is out of range, or the image cannot be painted.
    */
   constructor(image: GrayImage, brush: Brush, skin: PaintSkin, sight?: Sight) {
@@ -70,24 +74,24 @@ export class Dabs {
     this.#allBounds = new Bounds(image.width)
   }
 
-  /** Changed texels, if any. */
+  /** Rectangle of all changed texels, if any. */
   get changed(): Rectangle | undefined {
     return this.#allBounds.rectangle
   }
 
-  /** Returns the texels changed since the last call. */
+  /** Returns the rectangle of the texels that have changed since the last call. */
   takeChanged(): Rectangle | undefined {
     const { rectangle } = this.#bounds
     this.#bounds = new Bounds(this.image.width)
     return rectangle
   }
 
-  /** Radius at a point, millimetres. */
+  /** Returns the radius of a dab at a point, millimetres. */
   radiusAt({ triangle }: SkinPoint): number {
     return Math.max(this.#brush.radius, MIN_RADIUS * this.#map.texelSizes[triangle])
   }
 
-  /** Adds a dab and, if the brush mirrors, its mirror image. @param pressure pen pressure, 0..1. */
+  /** Adds a dab and, if `mirror` is set, its mirror image. @param pressure pen pressure, 0..1. */
   add(point: SkinPoint, pressure: number): void {
     const strength = this.#brush.opacity * Math.min(Math.max(pressure, 0), 1)
     if (!(strength > 0)) return
@@ -108,12 +112,12 @@ export class Dabs {
     }
   }
 
-  /** Returns the point and, if the brush mirrors, its mirror image. */
+  /** Returns the point and, if `mirror` is set, its mirror image. */
   #sidesOf(point: SkinPoint): SkinPoint[] {
     return this.#brush.mirror ? [point, this.#skin.mirrored(point.position)] : [point]
   }
 
-  /** Sets the targets of texels inside a dab. */
+  /** Sets `#target` for the texels inside a dab. */
   #setTargets(centre: SkinPoint, strength: number, side: number): void {
     const { softness } = this.#brush
     const radius = this.radiusAt(centre)
@@ -131,7 +135,7 @@ export class Dabs {
     )
   }
 
-  /** Raises the coverage towards the targets. */
+  /** Raises the coverage towards `#target`, and updates the weights. */
   #cover(): void {
     const mode = this.#brush.mode === 'remove' ? 'remove' : 'add'
     for (const texel of this.#touched) {
@@ -142,7 +146,7 @@ export class Dabs {
     }
   }
 
-  /** Moves the weights towards the local means. */
+  /** Changes the weights towards their local means. */
   #smooth(centres: readonly SkinPoint[]): void {
     const { texels, positions, isBeyondIsland, texelSizes } = this.#map
     for (const centre of centres) {
@@ -166,7 +170,7 @@ export class Dabs {
         this.#counts[texel]++
       })
     }
-    // Applied after both dabs, because their texels can overlap.
+    // Change weights only now, because the dab and its mirror image can share texels.
     for (const texel of this.#touched) {
       if (this.#counts[texel] === 0) continue
       const mean = this.#sums[texel] / this.#counts[texel]
@@ -185,7 +189,7 @@ export class Dabs {
     this.#allBounds.add(texel)
   }
 
-  /** Visits the places within a radius on the connected skin. */
+  /** Visits the places whose distance from `centre` is less than `radius`, on the skin that `#reach` finds. */
   #visitPlaces(
     centre: SkinPoint,
     radius: number,

@@ -3,17 +3,19 @@ import { barycentricsAt, walk } from 'furrow/internal'
 import type { PaintMap } from './paint-map.ts'
 import type { PaintSkin, SkinPoint } from './paint-skin.ts'
 
-/** Minimum weight, 0..255, of an outline that stops the fill. */
+/** Minimum weight of an outline that stops the fill, 0..255. */
 const ENCLOSING = 128
-/** Maximum distance of neighbouring texels of an island on the skin, in texel sides: skewed UVs stretch texels. */
+/** Neighbouring texels are connected if their distance on the skin is less than this many texel widths. Skewed UVs stretch texels. */
 const MAX_SKEW = 6
-/** Missing place or texel. */
+/** Index of a missing texel or place. In the code, a place is a pair of a texel and a triangle that contains it; see `PaintMapArrays`. */
 const NONE = -1
 
 /**
- * Flood fill on the skin, across seams. Fills the connected texels whose weight is on the same side of `ENCLOSING` as the weight at the
- * start. If a painted outline encloses the start, the fill also covers the soft inner edge of the outline, up to its maximum weight.
- * Without an outline, it fills all connected skin.
+ * Visits the texels of a flood fill on the skin. The fill crosses UV seams.
+ *
+ * A weight is low if it is less than `ENCLOSING`, otherwise high. From a low weight, the fill spreads to connected texels with low weights,
+ * until a painted outline stops it. The fill also covers the inner edge of the outline, as far as the weight rises. From a high weight, the
+ * fill spreads to connected texels with high weights.
  *
  * @param visit called once per texel.
  */
@@ -40,7 +42,7 @@ export function visitFilled(
     const [x, y] = [Math.floor(u * size), Math.floor(v * size)]
     return x >= 0 && y >= 0 && x < size && y < size ? y * size + x : NONE
   }
-  /** Returns the neighbouring texel on the skin, across the seam at the border of an island. */
+  /** Returns the texel beside another texel on the skin, or `NONE`. At the border of a UV island, returns a texel across the seam. */
   const neighbourOnSkin = (texel: number, dx: number, dy: number): number => {
     const next = neighbour(texel, dx, dy, size)
     if (next === NONE || placeOf[next] === NONE) return NONE
@@ -102,7 +104,7 @@ function firstPlaces({ size, starts, texels }: PaintMap) {
   return { placeOf, triangleOf }
 }
 
-/** Fills texels beyond islands like the nearest texel of the island, breadth first. */
+/** Visits the texels beyond UV islands whose nearest island texel is filled. Searches breadth first. */
 function visitBeyondIslands(
   { size, isBeyondIsland }: PaintMap,
   placeOf: Int32Array,

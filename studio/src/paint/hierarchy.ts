@@ -2,7 +2,7 @@ import { BufferAttribute, BufferGeometry } from 'three'
 import { MeshBVH, type SerializedBVH } from 'three-mesh-bvh'
 
 /**
- * Builds a bounding volume hierarchy that keeps the order of the triangles.
+ * Builds a bounding volume hierarchy of triangles, without changing their order.
  *
  * @param positions packed xyz per vertex. Not copied: call `refit` after changes.
  */

@@ -7,7 +7,7 @@ import type { SkinData } from './make-skin.ts'
 import type { SkinService } from './worker.ts'
 
 /**
- * Runs `makeSkin` in a new worker. Transfers the arrays of the skin both ways, because copying takes as long as reading them.
+ * Runs `makeSkin` in a new worker. Transfers the arrays of the skin to the worker and back, because copying them takes as long as `readSkin`.
  *
  * @returns a promise. Rejects with errors of `makeSkin`, and with a FurrowError if the worker dies.
  */

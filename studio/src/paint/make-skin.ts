@@ -5,15 +5,15 @@ import { buildHierarchy } from './hierarchy.ts'
 import { type PaintMapArrays, paintMapArrays } from './paint-map.ts'
 import { paintSurface } from './paint-skin.ts'
 
-/** Data of a skin for the tools, as transferable arrays. */
+/** Skin data for the tools, as arrays that can be transferred between workers. */
 export interface SkinData {
   /** Result of `paintSurface`. */
   readonly surface: SkinSurface
-  /** Map of the areas, if their size is known. */
+  /** Texels of the areas, if their size was given. */
   readonly map: PaintMapArrays | undefined
-  /** Three vertices per triangle of the skin. Triangles outside the surface, whose positions can be missing, collapse to one vertex. */
+  /** Vertex indices of all triangles of the skin. A triangle that is not in the surface, such as a degenerate one, has three equal indices. */
   readonly indices: Uint32Array
-  /** Hierarchy of these triangles at rest. */
+  /** Bounding volume hierarchy of these triangles at rest. */
   readonly hierarchy: SerializedBVH
 }
 
@@ -21,7 +21,7 @@ export interface SkinData {
  * Prepares a skin for the tools.
  *
  * @param scale millimetres per unit of the skin's positions.
- * @param size side of the areas, texels.
+ * @param size width and height of the areas, texels.
  * @throws FurrowError if the skin cannot be painted.
  */
 export function makeSkin(skin: Skin, scale?: number, size?: number): SkinData {

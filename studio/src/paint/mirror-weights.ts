@@ -3,11 +3,12 @@ import { interpolateTexels } from 'furrow/internal'
 import { checkPaintable } from './paint-map.ts'
 import { clampedBarycentrics, type PaintSkin } from './paint-skin.ts'
 
-/** Tolerance of the mirrored bounds, millimetres: faces are not exactly symmetric. */
+/** Margin around the bounds of the mirror image, millimetres, because faces are not exactly symmetric. */
 const TOLERANCE = 6
 
 /**
- * Mirrors an area across the middle plane of the face. Each place takes the weight at the skin point nearest to its mirror image.
+ * Mirrors the weights of an area across the middle plane of the face. Each texel takes the weight at the point of the skin that is nearest to
+ * the texel's mirror image. In the code, a place is a pair of a texel and a triangle that contains it; see `PaintMapArrays`.
  *
  * @throws FurrowError if the image cannot be painted.
  */
@@ -26,13 +27,13 @@ export function mirrorWeights(image: GrayImage, skin: PaintSkin): GrayImage {
     clampedBarycentrics(skin.surface, triangle, position, weights)
     const [u, v] = locator.uvAt(triangle, weights)
     const weight = Math.round(interpolateTexels(image, u * size - 0.5, v * size - 0.5, weightAt))
-    // If several parts of the skin share a texel, the maximum wins.
+    // If several parts of the skin share a texel, take their maximum weight.
     if (weight > out[texels[place]]) out[texels[place]] = weight
   }
   return { width: size, height, data: out }
 }
 
-/** Returns the bounds of the mirror image, millimetres. */
+/** Returns the bounds of the area's mirror image on the skin, millimetres. */
 function otherSide({ data }: GrayImage, texels: Uint32Array, positions: Float32Array) {
   const [low, high] = [
     [Infinity, Infinity, Infinity],

@@ -2,34 +2,35 @@ import { FurrowError, type GrayImage } from 'furrow'
 import type { Skin } from 'furrow/author'
 import { mapSkin, type SkinSurface, type SkinTexels, type UvGrid, type UvLocator } from 'furrow/internal'
 
-/** Minimum and maximum side of paintable maps, texels. */
+/** Minimum and maximum width of maps that can be painted, texels. */
 const PAINTED_SIDES = [2, 1024] as const
 
 /** Barycentric coordinate below which a texel is outside its triangle. */
 const OUTSIDE = -1e-6
 
 /**
- * Texels of a square map by triangle, as transferable arrays. A place is a pair of texel and triangle: a texel has several places
- * if parts of the skin share it. Texels beyond a UV island extend its border triangles, so that filtering agrees on both sides of a
- * seam.
+ * Texels of a square map on a skin, as arrays that can be transferred between workers. A place is a pair of a texel and a triangle that contains
+ * it. A texel has several places if several parts of the skin share it. A texel just beyond a UV island is paired with a triangle at the
+ * island's border. Such texels are painted too, because texture filtering reads them at seams.
  */
 export interface PaintMapArrays {
-  /** Side, texels. */
+  /** Width and height, texels. */
   readonly size: number
-  /** Range of places per triangle: `starts[t]` to `starts[t + 1]`. */
+  /** Index of each triangle's first place. The places of triangle `t` end before `starts[t + 1]`. */
   readonly starts: Uint32Array
-  /** Texel per place, and its position on the skin as packed xyz, millimetres. */
+  /** Texel of each place. */
   readonly texels: Uint32Array
+  /** Position of each place on the skin as packed xyz, millimetres. */
   readonly positions: Float32Array
-  /** 1 for places beyond a UV island. */
+  /** 1 for each place whose texel is beyond the UV island, otherwise 0. */
   readonly isBeyondIsland: Uint8Array
-  /** Texel side per triangle, millimetres: the square root of its area. */
+  /** Size of a texel on each triangle, millimetres: the square root of the texel's area on the skin. */
   readonly texelSizes: Float32Array
-  /** Grid of the UV locator. */
+  /** Grid with which `UvLocator` finds the triangle at a UV coordinate. */
   readonly grid: UvGrid
 }
 
-/** Paintable map. */
+/** Texels of a square map on a skin, with a locator. */
 export interface PaintMap extends Omit<PaintMapArrays, 'grid'> {
   readonly locator: UvLocator
 }
@@ -45,7 +46,7 @@ export function paintMapArrays(
     throw new FurrowError({
       code: 'out-of-range',
       who: 'Studio',
-      problem: 'side of an area that is painted',
+      problem: 'width of a painted area',
       value: size,
       limit: `${least} to ${most} texels`,
       remedy: 'resample the area',
@@ -60,7 +61,6 @@ export function paintMapArrays(
   }
 }
 
-/** Finds the texels of each triangle and their positions. */
 function findPlaces(skinTexels: SkinTexels, surface: SkinSurface) {
   const starts = new Uint32Array(surface.skinTriangles.length + 1)
   visitPlaces(skinTexels, (_, triangle) => starts[triangle + 1]++)
@@ -90,7 +90,7 @@ export function checkPaintable({ width, height, data }: GrayImage): void {
   if (width === height && data.length === width * height) return
   throw new FurrowError({
     who: 'Studio',
-    problem: 'an area that is painted is not square',
+    problem: 'a painted area is not square',
     value: `${width} x ${height} texels, ${data.length} bytes`,
     remedy: 'resample the area',
   })

@@ -6,18 +6,17 @@ import type { MeshBVH } from 'three-mesh-bvh'
 import { buildHierarchy } from './hierarchy.ts'
 import { type PaintMap, type PaintMapArrays, paintMapArrays } from './paint-map.ts'
 
-/** Point on a skin. */
 export interface SkinPoint {
-  /** Triangle of the surface. */
+  /** Index of the triangle in the surface. */
   triangle: number
   /** Position at rest, millimetres, in the frame of the surface. */
   position: readonly [x: number, y: number, z: number]
 }
 
 /**
- * Makes the surface of a skin at rest, in millimetres. A face has its own frame, with its middle at x = 0.
+ * Makes the surface of a skin at rest: its triangles, with positions in millimetres. The middle plane of a face is at x = 0.
  *
- * @param scale millimetres per unit of the skin's positions; by default measured from the distance of the eyes.
+ * @param scale millimetres per unit of the skin's positions; by default estimated from the distance between the eyes.
  * @throws FurrowError if the skin has no triangles.
  */
 export function paintSurface(skin: Skin, scale?: number): SkinSurface {
@@ -44,7 +43,7 @@ export function paintSurface(skin: Skin, scale?: number): SkinSurface {
   return { ...surface, points: surface.points.map((value) => factor * value) }
 }
 
-/** Paintable skin: its surface and maps. */
+/** Skin that can be painted: its surface, and one map of texels for each resolution of painted areas. */
 export class PaintSkin {
   readonly skin: Skin
   readonly surface: SkinSurface
@@ -53,7 +52,7 @@ export class PaintSkin {
 
   /**
    * @param surface result of `paintSurface`.
-   * @param map existing map of this skin and surface.
+   * @param map precomputed map of this skin and surface.
    */
   constructor(skin: Skin, surface: SkinSurface, map?: PaintMapArrays) {
     this.skin = moveToFirstTile(skin).skin
@@ -65,14 +64,13 @@ export class PaintSkin {
     return this.#maps.has(size)
   }
 
-  /** Adds an existing map of the same skin and surface. */
   addMap(arrays: PaintMapArrays): PaintMap {
     const map = { ...arrays, locator: new UvLocator(this.skin, this.surface, arrays.grid) }
     this.#maps.set(arrays.size, map)
     return map
   }
 
-  /** Returns the cached map of size x size. */
+  /** Returns the map of `size` x `size` texels. The map is cached. */
   mapOf(size: number): PaintMap {
     return this.#maps.get(size) ?? this.addMap(paintMapArrays(this.skin, this.surface, size))
   }
@@ -82,13 +80,13 @@ export class PaintSkin {
     const { points, corners } = this.surface
     this.#hierarchy ??= buildHierarchy(Float32Array.from(points), corners)
     const found = this.#hierarchy.closestPointToPoint(new Vector3(-x, y, z))
-    // The surface has at least one triangle.
+    // Not null, because the surface has at least one triangle.
     const { faceIndex, point } = found!
     return { triangle: faceIndex, position: [point.x, point.y, point.z] }
   }
 }
 
-/** Computes barycentric coordinates, clamped to the triangle. */
+/** Computes the barycentric coordinates of a position, clamped to the triangle. */
 export function clampedBarycentrics(
   surface: SkinSurface,
   triangle: number,

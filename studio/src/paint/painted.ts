@@ -1,6 +1,5 @@
 import type { GrayImage } from 'furrow'
 
-/** Rectangle of texels. */
 export interface Rectangle {
   x: number
   y: number
@@ -14,7 +13,6 @@ export interface Painted {
   dirty: Rectangle | undefined
 }
 
-/** Bounding rectangle of texels. */
 export class Bounds {
   readonly #width: number
   #left = Infinity
@@ -42,15 +40,15 @@ export class Bounds {
   }
 }
 
-/** Applies coverage to a weight (0..255), without rounding. */
+/** Applies a coverage (0..1) to a weight (0..255), without rounding. */
 export function covered(weight: number, coverage: number, mode: 'add' | 'remove'): number {
   return mode === 'add' ? weight + coverage * (255 - weight) : weight * (1 - coverage)
 }
 
 /**
- * Adds to an area or removes from it.
+ * Raises or lowers the weights of an area.
  *
- * @param coverage coverage per texel, 0..1.
+ * @param coverage coverage of each texel, 0..1. At 1, the weight becomes 255 or 0.
  */
 export function cover(
   { width, height, data }: GrayImage,

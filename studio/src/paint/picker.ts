@@ -26,7 +26,7 @@ export interface SkinHit extends SkinPoint {
   weights: [a: number, b: number, c: number]
   /** Texture coordinates, v = 0 at the top. */
   uv: [u: number, v: number]
-  /** Deformed position and unit normal of the triangle in world space. The normal faces the pointer. */
+  /** Position and unit normal on the deformed skin, world space. The normal points towards the camera. */
   point: Vector3
   normal: Vector3
 }
@@ -40,7 +40,7 @@ export class SkinPicker {
   /** Deformed positions in world space. */
   readonly #positions: Float32Array
   readonly #hierarchy: MeshBVH
-  /** Surface triangle per skin triangle, or -1 for degenerate ones. */
+  /** For each triangle of the skin: its index in the surface, or -1 if the triangle is degenerate. */
   readonly #triangleOf: Int32Array
   #poses = 0
 
@@ -60,19 +60,18 @@ export class SkinPicker {
     this.#hierarchy = restoreHierarchy(made.hierarchy, this.#positions, made.indices)
   }
 
-  /** Number of pose updates. */
+  /** Number of calls of `refit`. If it has changed, the pose may have changed. */
   get poses(): number {
     return this.#poses
   }
 
-  /** Updates the deformed positions to the current pose. */
   refit(): void {
     this.#poses++
     this.#deform()
     this.#hierarchy.refit()
   }
 
-  /** @returns undefined if a ray in world space misses the skin. */
+  /** Returns the first point of the skin that a ray in world space hits, or undefined. */
   pick(ray: Ray): SkinHit | undefined {
     const found = this.#hierarchy.raycastFirst(ray, this.#side)
     if (!found || found.faceIndex == null || !found.barycoord) return undefined
@@ -107,7 +106,7 @@ export class SkinPicker {
     return out
   }
 
-  /** Returns a visibility test for a camera position in world space. Only skin occludes. Valid until the pose changes. */
+  /** Returns a visibility test for a camera position in world space. Tests occlusion by the skin only. Valid until the pose changes. */
   sightFrom(eye: Vector3): Sight {
     const side = this.#side
     const ray = new Ray(eye.clone())
@@ -127,7 +126,7 @@ export class SkinPicker {
     }
   }
 
-  /** Rendered side of the triangles. Swapped for mirrored meshes. */
+  /** Triangle side that the material renders. Front and back are swapped for mirrored meshes. */
   get #side(): Side {
     const [{ mesh }] = this.#parts
     const { side } = [mesh.material].flat()[0] as Material
@@ -151,7 +150,6 @@ export class SkinPicker {
   }
 }
 
-/** Interpolates the values at a triangle's corners. */
 function mix(
   values: ArrayLike<number>,
   stride: number,

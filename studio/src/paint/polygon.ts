@@ -8,36 +8,35 @@ import { skinPath } from './skin-path.ts'
 import { cross, squaredDistance } from './vectors.ts'
 import { type Sight, VisiblePlaces } from './visible-places.ts'
 
-/** Settings for painting a polygon. */
 export interface PolygonBrush {
   mode: 'add' | 'remove'
   /** Width of the soft outline, millimetres, at least 0. */
   feather: number
   /** Coverage, 0..1. */
   opacity: number
-  /** Whether to paint the other side of the face too. */
+  /** Whether to also paint the mirror image of the polygon. */
   mirror: boolean
 }
 
-/** Minimum projected area of a polygon, as a fraction of its squared perimeter: a circle has 0.08. */
+/** Minimum projected area of a polygon, as a fraction of its squared perimeter. For a circle, the fraction is 0.08. */
 const MIN_AREA = 1e-4
-/** Cosine between the normals of a polygon and skin below which the skin is skipped, for example inside the mouth. */
+/** Minimum cosine of the angle between the normals of polygon and triangle. Excludes triangles inside the mouth, for example. */
 const MIN_FACING = -0.3
 /** Maximum feather, millimetres. */
 const MAX_FEATHER = 150
-/** Maximum points of an outline on the skin. */
 const MAX_POINTS = 1000
 
 /**
- * Paints the inside of a polygon drawn on the skin. The weight falls by smoothstep across the feather, which is centred on the
- * outline, as for polygons in strokes.
+ * Paints the inside of a polygon on the skin. The weight falls by smoothstep from 1 at `feather / 2` inside the outline to 0 at
+ * `feather / 2` outside it. Polygons in `strokes.json` have the same soft outline.
  *
- * A point is inside if it is connected with the outline and projects into the polygon along the polygon's mean normal. This assigns
- * each texel to a side and cannot leak between the lips, unlike a flood fill. It fails only for polygons around the head, which
- * cannot be drawn in one view. Distances to the outline are measured in space.
+ * The polygon and the points of the skin are projected along the polygon's mean normal. A point is inside if its projection is inside the
+ * projected polygon and the skin connects the point with the outline. Unlike a flood fill, this test cannot leak between the lips. It fails
+ * only for a polygon around the back of the head, but users cannot draw one in a single view. Distances to the outline are straight, not
+ * measured over the skin.
  *
  * @param points at least three, in order.
- * @param sight visibility test; by default, hidden skin is painted too.
+ * @param sight visibility test. Without it, hidden skin is painted too.
  * @throws FurrowError if the points enclose no skin, a setting is out of range, or the image cannot be painted.
  */
 export function paintPolygon(
@@ -69,7 +68,10 @@ export function paintPolygon(
   return cover(image, coverage, brush.mode)
 }
 
-/** Visits the places inside a polygon by growing from its outline over the skin. */
+/**
+ * Visits the texels inside a polygon, beginning at its outline and continuing to adjacent triangles. In the code, a place is a pair of a texel and a
+ * triangle that contains it; see `PaintMapArrays`.
+ */
 function visitInside(
   surface: SkinSurface,
   map: PaintMap,
@@ -84,7 +86,7 @@ function visitInside(
     const isTouched = outline.segmentsNear(centre, radius + feather / 2).length > 0
     if (!isTouched && !(outline.contains(centre) && outline.isFacing(surface, triangle))) continue
     const [first, end] = [map.starts[triangle], map.starts[triangle + 1]]
-    // Places beyond an island are farther from the centroid than the corners.
+    // Texels beyond a UV island can be outside the bounding sphere.
     let reach = radius
     for (let place = first; place < end; place++) {
       reach = Math.max(reach, Math.sqrt(squaredDistance(map.positions, 3 * place, 3 * place, centre)))
@@ -121,7 +123,7 @@ class Outline {
   readonly #points: Float64Array
   /** Unit vectors: the polygon's mean normal, pointing out of the skin, and two tangents. */
   readonly #axes: readonly [front: Float64Array, across: Float64Array, up: Float64Array]
-  /** Points projected along the mean normal. */
+  /** Coordinates of the points along the two tangents. */
   readonly #flat: readonly (readonly [number, number])[]
 
   constructor(surface: SkinSurface, corners: readonly SkinPoint[]) {
@@ -137,7 +139,7 @@ class Outline {
     this.#flat = points.map(({ position }) => this.#flatten(position))
   }
 
-  /** Returns the offsets of segments within a distance of a position. */
+  /** Returns the offsets in `#points` of the segments that are nearer to a position than `distance`. */
   segmentsNear(position: Float64Array, distance: number): number[] {
     const near: number[] = []
     for (let i = 0; i + 3 < this.#points.length; i += 3) {
@@ -146,7 +148,7 @@ class Outline {
     return near
   }
 
-  /** Even-odd test of the projected position. */
+  /** Whether a position, projected along the mean normal, is inside the polygon. Uses the even-odd rule. */
   contains(position: ArrayLike<number>): boolean {
     const [x, y] = this.#flatten(position)
     let isInside = false
@@ -157,7 +159,7 @@ class Outline {
     return isInside
   }
 
-  /** @param near segments that include the nearest one. */
+  /** Returns the weight at a position, 0..1. @param near result of `segmentsNear`, not empty. */
   weightAt(position: Float64Array, near: readonly number[], feather: number): number {
     const isInside = this.contains(position)
     let square = Infinity
@@ -184,7 +186,7 @@ class Outline {
       facing += dot(normal, front)
     }
     if (facing < 0) for (let k = 0; k < 3; k++) front[k] = -front[k]
-    // First tangent: perpendicular to the coordinate axis that differs most from the normal.
+    // The first tangent is perpendicular to the normal and to the coordinate axis of the normal's smallest component.
     const [x, y, z] = front.map(Math.abs)
     const axis = x <= y && x <= z ? [1, 0, 0] : y <= z ? [0, 1, 0] : [0, 0, 1]
     const across = cross(front, axis)
@@ -193,7 +195,7 @@ class Outline {
     return [front, across, cross(front, across)]
   }
 
-  /** Mean normal by Newell's method: the normalised sum of cross products of consecutive points. */
+  /** Computes the mean normal by Newell's method: the normalised sum of the cross products of consecutive points. */
   #meanNormal(): Float64Array {
     const [sum, points] = [new Float64Array(3), this.#points]
     let perimeter = 0
@@ -209,7 +211,7 @@ class Outline {
       who: 'Studio',
       problem: 'the polygon encloses no skin',
       value: `${area.toFixed(1)} square millimetres`,
-      remedy: 'draw it round what it should paint',
+      remedy: 'draw it around the skin to paint',
     })
   }
 
@@ -224,8 +226,8 @@ function check(points: readonly SkinPoint[], { feather, opacity }: PolygonBrush)
   }
   if (points.length < 3) fail('a polygon has too few points', points.length, 'at least 3', 'add points')
   if (!(feather >= 0 && feather <= MAX_FEATHER)) {
-    fail('feather of a polygon', feather, `0 to ${MAX_FEATHER} mm`, 'choose one in this range')
+    fail('feather of a polygon', feather, `0 to ${MAX_FEATHER} mm`, 'choose a value in this range')
   }
   if (!(opacity >= 0 && opacity <= 1))
-    fail('opacity of a polygon', opacity, '0 to 1', 'choose one in this range')
+    fail('opacity of a polygon', opacity, '0 to 1', 'choose a value in this range')
 }

@@ -6,16 +6,16 @@ import { PaintSkin } from './paint-skin.ts'
 import { SkinPicker } from './picker.ts'
 import { type MeshSkin, readSkin } from './read-skin.ts'
 
-/** Skin of a face, shared by all tools. */
+/** Skin of a face at rest and in its current pose. All tools share it. */
 export class PosedSkin {
   /** Skin at rest. */
   readonly skin: PaintSkin
-  /** Picker in the pose of the last `follow`. */
+  /** Finds the skin under the pointer, in the pose at the last call of `follow`. */
   readonly picker: SkinPicker
   readonly scale: number
   readonly #watch: PoseWatch
 
-  /** @param made result of `makeSkin` for `read`. */
+  /** @param made result of `makeSkin` for `read.skin`. */
   constructor(meshes: readonly Mesh[], scale: number, read: MeshSkin, made: SkinData) {
     this.skin = new PaintSkin(read.skin, made.surface, made.map)
     this.picker = new SkinPicker(read, this.skin, made)
@@ -24,21 +24,20 @@ export class PosedSkin {
     this.#watch.hasChanged()
   }
 
-  /** Takes the current pose. Does nothing if the face has not moved. */
+  /** Updates `picker` to the current pose. Does nothing if the face has not moved. */
   follow(): void {
     if (this.#watch.hasChanged()) this.picker.refit()
   }
 }
 
-/** Skins by their mesh array, which stays the same while the avatar is open. */
+/** Cached skins. The key is the array of meshes of an open avatar. */
 const cachedSkins = new WeakMap<readonly Mesh[], PosedSkin>()
 
-/** Pending preparations. */
 const preparations = new WeakMap<readonly Mesh[], { scale: number; size: number; skin: Promise<PosedSkin> }>()
 
 /**
- * Returns the cached skin of a face in its current pose. Without `prepareSkin`, computes the skin on the main thread, which takes 0.1
- * to 0.3 s for a scan.
+ * Returns the skin of a face in its current pose, and caches it. If `prepareSkin` has not run before, computes the skin on the main thread, which
+ * takes 0.1 to 0.3 s for a scanned face.
  *
  * @param scale millimetres per unit of the face's positions.
  * @throws FurrowError if the skin cannot be painted.
@@ -55,7 +54,7 @@ export function posedSkinOf(meshes: readonly [Mesh, ...Mesh[]], scale: number): 
   return made
 }
 
-/** Returns the skin in its current pose with a map of this size, or null before `prepareSkin` is done. */
+/** Returns the cached skin in its current pose. Returns null if no skin with a map of this size is cached. */
 export function preparedSkin(
   meshes: readonly [Mesh, ...Mesh[]],
   scale: number,
@@ -68,10 +67,10 @@ export function preparedSkin(
 }
 
 /**
- * Prepares the skin of a face and the map of its areas in a worker, or on the main thread if the worker dies. Rejects with a
+ * Prepares the skin of a face and its paint map in a worker, or on the main thread if the worker dies. Rejects with a
  * FurrowError if the skin cannot be painted.
  *
- * @param size side of the face's areas, texels.
+ * @param size width and height of the face's areas, texels.
  */
 export function prepareSkin(
   meshes: readonly [Mesh, ...Mesh[]],
@@ -100,7 +99,7 @@ async function prepareUncached(
   const answer = await makeSkinInWorker(own, scale, size).catch(() => null)
   if (answer) {
     const { skin, made } = answer
-    // The skin can have been computed meanwhile.
+    // While the worker ran, `posedSkinOf` may have cached the skin.
     const early = cachedSkin(meshes, scale)
     if (!early) cachedSkins.set(meshes, new PosedSkin(meshes, scale, { skin, parts }, made))
     else if (!early.skin.hasMap(size)) early.skin.addMap(made.map!)

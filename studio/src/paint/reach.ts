@@ -2,10 +2,13 @@ import type { SkinSurface } from 'furrow/internal'
 import type { SkinPoint } from './paint-skin.ts'
 import { squaredDistance } from './vectors.ts'
 
-/** Finds the skin inside a sphere that is connected with its centre there. The other lip is near but not connected. */
+/**
+ * Finds the triangles that paths over the skin reach from the centre of a sphere without leaving the sphere. Paths from one lip do not reach
+ * the other lip.
+ */
 export class Reach {
   readonly #surface: SkinSurface
-  /** Last search that reached each triangle. */
+  /** For each triangle: number of the last search that reached it. */
   readonly #visited: Uint32Array
   #search = 0
   #queue = new Uint32Array(64)
@@ -16,7 +19,7 @@ export class Reach {
   }
 
   /**
-   * Grows over the surface across edges that intersect the sphere.
+   * Visits triangles, beginning at the centre and continuing across edges that intersect the sphere.
    *
    * @param radius sphere radius, millimetres.
    */

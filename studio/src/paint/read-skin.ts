@@ -12,14 +12,13 @@ import {
 
 /** Meshes of a face joined into one skin. */
 export interface MeshSkin {
-  /** Skin at rest. */
   skin: Skin
-  /** Vertices per mesh, in the order of the skin's vertices. */
+  /** Indices of each mesh's vertices, in the order in which the skin contains them. */
   parts: readonly { mesh: Mesh; vertices: Uint32Array }[]
 }
 
 /**
- * Reads the mesh of a face and the other parts of its skin.
+ * Reads the meshes of a face's skin and joins them.
  *
  * @throws FurrowError if a mesh has no texture coordinates.
  */

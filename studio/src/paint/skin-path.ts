@@ -2,17 +2,17 @@ import { crossOf, dot, type SkinSurface } from 'furrow/internal'
 import type { SkinPoint } from './paint-skin.ts'
 import { cross, distanceBetween } from './vectors.ts'
 
-/** Maximum path length as a multiple of the straight distance, plus millimetres. Longer paths detour, for example into the mouth. */
+/** A path is at most `MAX_DETOUR * distance + MAX_DETOUR_OFFSET` millimetres long. Longer paths are detours, for example into the mouth. */
 const MAX_DETOUR = 2
 const MAX_DETOUR_OFFSET = 1
-/** Fraction by which ends move towards the centroid, so that the plane of the path crosses their triangle. */
+/** Fraction by which each end is moved towards the centroid of its triangle, so that the plane of the path intersects the triangle. */
 const INWARDS = 1e-6
 
 /**
- * Finds the path over a skin in the plane through two points and the mean of their normals. Subdividing the path does not change it,
- * so that the number of pointer events has no effect.
+ * Finds the path over a skin between two points: the intersection of the skin with a plane. The plane contains both points and is parallel to
+ * the mean of their normals.
  *
- * @returns both ends and the crossed edges, or undefined if no such path connects the ends.
+ * @returns both ends and, between them, the intersections with edges. Undefined if no such path connects the ends, or if it is too long.
  */
 export function skinPath(surface: SkinSurface, from: SkinPoint, to: SkinPoint): SkinPoint[] | undefined {
   const { adjacent, corners, points } = surface
@@ -30,7 +30,7 @@ export function skinPath(surface: SkinSurface, from: SkinPoint, to: SkinPoint): 
   let { triangle } = from
   let most = MAX_DETOUR * distanceBetween(from.position, to.position) + MAX_DETOUR_OFFSET
   while (triangle !== to.triangle) {
-    // Corners are counterclockwise: the path leaves across the edge that goes from its right to its left.
+    // Corners are in counterclockwise order. The path leaves the triangle across the edge that begins on the right of the path and ends on its left.
     const offsets = [0, 1, 2].map((k) => offsetOf(corners[3 * triangle + k]))
     const edge = [0, 1, 2].findIndex((k) => offsets[k] < 0 && offsets[(k + 1) % 3] >= 0)
     if (edge < 0) return undefined

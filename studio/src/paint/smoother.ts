@@ -1,7 +1,7 @@
 /**
- * Local means of values in space. Splats values to a grid and reads them back with trilinear weights. Nearby positions have similar means,
- * also across seams. This is the bilateral grid of Chen, Paris and Durand (2007, Real-time edge-aware image processing with the bilateral
- * grid) without its range dimension.
+ * Computes local means of values at positions in space. Adds the values to a grid and reads the means from it, both with trilinear weights. The
+ * grid divides 3D space, so UV seams have no effect. This is the bilateral grid of Chen, Paris and Durand (2007, Real-time edge-aware
+ * image processing with the bilateral grid) without its range dimension.
  */
 export class Smoother {
   readonly #cell: number
@@ -9,11 +9,11 @@ export class Smoother {
   readonly #low: readonly [number, number, number]
   readonly #sums: Float64Array
   readonly #weights: Float64Array
-  /** Offsets from the lowest corner of a cell to all eight. */
+  /** Index offsets from a cell's lowest corner to each of its eight corners. */
   readonly #steps: readonly number[]
   readonly #fractions = new Float64Array(8)
 
-  /** @param radius radius of the sphere that contains all positions; `cell` is the side of a cell in the same unit. */
+  /** @param radius radius of the sphere that contains all positions. @param cell width of a cell, in the same unit. */
   constructor([x, y, z]: readonly [number, number, number], radius: number, cell: number) {
     this.#cell = cell
     this.#side = Math.ceil((2 * radius) / cell) + 2
@@ -24,7 +24,6 @@ export class Smoother {
     this.#weights = new Float64Array(side ** 3)
   }
 
-  /** Adds a weighted value. */
   add(x: number, y: number, z: number, value: number, weight: number): void {
     const first = this.#locate(x, y, z)
     if (first < 0) return
@@ -35,7 +34,7 @@ export class Smoother {
     }
   }
 
-  /** Returns the mean around a position, or NaN if there are no values. */
+  /** Returns the mean around a position, or NaN if there are no values nearby. */
   at(x: number, y: number, z: number): number {
     const first = this.#locate(x, y, z)
     let [sum, weight] = [0, 0]
@@ -47,7 +46,7 @@ export class Smoother {
     return sum / weight
   }
 
-  /** Returns the lowest corner of a position's cell, or -1 outside the grid, and sets the weights of all eight corners. */
+  /** Returns the index of the lowest corner of the cell at a position, or -1 outside the grid. Sets `#fractions`, the weights of the corners. */
   #locate(x: number, y: number, z: number): number {
     const side = this.#side
     const gx = (x - this.#low[0]) / this.#cell

@@ -1,4 +1,3 @@
-/** Returns a x b. */
 export function cross(a: ArrayLike<number>, b: ArrayLike<number>): Float64Array {
   return Float64Array.of(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
 }
@@ -10,8 +9,8 @@ export function distanceBetween(a: ArrayLike<number>, b: ArrayLike<number>): num
 /**
  * Returns the squared distance from a position to a segment (Ericson, Real-Time Collision Detection, 5.1.2).
  *
- * @param from offset of the start point's x.
- * @param to offset of the end point's x.
+ * @param from index of the start point's x in `points`.
+ * @param to index of the end point's x in `points`.
  */
 export function squaredDistance(
   points: ArrayLike<number>,

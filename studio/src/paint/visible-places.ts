@@ -11,7 +11,7 @@ export type Sight = (triangle: number, weights: Float64Array) => boolean
 const VISIBLE = 1
 const HIDDEN = 2
 
-/** Caches the visibility of a map's places. */
+/** Tests and caches the visibility of places. In the code, a place is a pair of a texel and a triangle that contains it; see `PaintMapArrays`. */
 export class VisiblePlaces {
   readonly #skin: PaintSkin
   readonly #map: PaintMap
@@ -21,7 +21,7 @@ export class VisiblePlaces {
   readonly #known: Uint8Array
   readonly #weights = new Float64Array(3)
 
-  /** @param isMirrored tests the mirror image of each place instead. */
+  /** @param isMirrored whether to test the mirror image of each place instead. */
   constructor(skin: PaintSkin, map: PaintMap, sight: Sight, isMirrored: boolean) {
     this.#skin = skin
     this.#map = map

@@ -7,7 +7,7 @@ import { holdLifeLock } from '../workers/life.ts'
 import { makeSkin, type SkinData } from './make-skin.ts'
 
 const service = {
-  /** Transfers the skin back with the result. */
+  /** Runs `makeSkin`. Transfers the skin back with the result, because the page has transferred it to the worker. */
   makeSkin(skin: Skin, scale: number, size: number): { skin: Skin; made: SkinData } {
     const answer = { skin, made: makeSkin(skin, scale, size) }
     return transfer(answer, [...buffersOf(answer), ...(answer.made.hierarchy.roots as ArrayBuffer[])])

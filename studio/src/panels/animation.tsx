@@ -5,7 +5,7 @@ import { Section } from './controls/section.tsx'
 
 const SPEEDS = ['0.25', '0.5', '1', '2'].map((value) => ({ value, label: `${value}×` }))
 
-/** Plays animations of the file, and captures. */
+/** Section that plays animations of the avatar's file, and facial captures. */
 export function Animation({ player }: { player: ClipPlayer }) {
   const { clips, clip, isPlaying, isShown, isLooped, speed } = player
   return (
@@ -33,7 +33,7 @@ export function Animation({ player }: { player: ClipPlayer }) {
           <button
             type="button"
             disabled={!isShown.value}
-            title="Gives the face the pose back that it had before"
+            title="Restore the pose that the face had before"
             onClick={() => player.stop()}
           >
             Stop
@@ -62,7 +62,7 @@ export function Animation({ player }: { player: ClipPlayer }) {
   )
 }
 
-/** Clip time. Separate component: only this part renders per frame. */
+/** Slider for the time in the clip. It is a component, so that each frame renders only this part. */
 function Time({ player }: { player: ClipPlayer }) {
   const { clip, time } = player
   return (

@@ -1,7 +1,6 @@
 import { useId } from 'preact/hooks'
 import type { PanelModel } from './model.ts'
 
-/** Progress of automatic wrinkles. */
 export function AutoProgress({ model: { autoRun, actions } }: { model: PanelModel }) {
   const id = useId()
   const run = autoRun.value

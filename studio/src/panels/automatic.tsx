@@ -1,12 +1,18 @@
 import { AUTO_DEFAULTS, AUTO_REGIONS, type AutoRegion } from 'furrow/author'
 import { useState } from 'preact/hooks'
-import { AUTO_AGES, AUTO_SIZES, AUTO_STRENGTHS, type AutoSettings } from '../document/document.ts'
+import {
+  AUTO_AGES,
+  AUTO_SIZES,
+  AUTO_STRENGTHS,
+  AUTO_SYMMETRIES,
+  type AutoSettings,
+} from '../document/document.ts'
 import { AutoProgress } from './auto-progress.tsx'
 import { NumberSlider } from './controls/number-slider.tsx'
 import { Section } from './controls/section.tsx'
 import type { PanelModel } from './model.ts'
 
-/** Settings of automatic wrinkles. A moving control shows previews; releasing it makes the full result. */
+/** Settings of automatic wrinkles. While a slider moves, the face shows previews. On release, the complete wrinkles are made. */
 export function AutomaticWrinkles({ model }: { model: PanelModel }) {
   const { auto, actions } = model
   const settings = auto.value
@@ -28,6 +34,13 @@ export function AutomaticWrinkles({ model }: { model: PanelModel }) {
         value={settings.strength}
         onMove={(strength) => preview({ strength })}
         onRest={(strength) => make({ strength })}
+      />
+      <NumberSlider
+        label="Symmetry"
+        range={[...AUTO_SYMMETRIES, 0.05]}
+        value={settings.symmetry ?? AUTO_DEFAULTS.symmetry}
+        onMove={(symmetry) => preview({ symmetry })}
+        onRest={(symmetry) => make({ symmetry })}
       />
       <div class="settings">
         <div class="setting">
@@ -77,14 +90,14 @@ export function AutomaticWrinkles({ model }: { model: PanelModel }) {
   )
 }
 
-/** Region whose lines to change, or all. */
+/** Region of the face to which a new seed applies, or all regions. */
 type Lines = AutoRegion | 'all'
 
-/** Regions with own seeds. The outer forehead shares the lines of the inner one. */
+/** Regions that have seeds. The outer forehead has none, because it shares the lines of the inner forehead. */
 const WITH_LINES = AUTO_REGIONS.filter((region) => region !== 'foreheadOuter')
 
-/** Returns the settings for other lines in a region. */
-function otherLines({ seed, seeds }: AutoSettings, lines: Lines): Partial<AutoSettings> {
+/** Returns settings with a new seed for the wrinkle lines of a region, or of all regions. */
+function otherLines({ seed = 0, seeds }: AutoSettings, lines: Lines): Partial<AutoSettings> {
   if (lines === 'all') return { seed: seed + 1, seeds: {} }
   return { seeds: { ...seeds, [lines]: (seeds?.[lines] ?? seed) + 1 } }
 }

@@ -2,7 +2,6 @@ import { displayName } from '../display-name.ts'
 import { Section } from './controls/section.tsx'
 import type { PanelModel } from './model.ts'
 
-/** Buttons of the face's expressions. */
 export function Expressions({ model: { viewer, revision, expression, actions } }: { model: PanelModel }) {
   revision.value
   return (

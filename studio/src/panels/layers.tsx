@@ -12,7 +12,7 @@ const KINDS = [
   {
     value: 'replace',
     label: 'Replace',
-    title: 'Wrinkles and pores, in the place of the skin’s own normal map',
+    title: 'Wrinkles and pores that replace the skin’s own normal map',
   },
 ] as const
 
@@ -23,12 +23,12 @@ const MAP_LABELS: Record<MapName, string> = {
   occlusion: 'Occlusion',
   height: 'Height',
   blood: 'Blood',
+  onset: 'Onset',
 }
 
 const IMAGES = 'image/png,image/jpeg,image/webp'
 const SCULPTS = '.glb,.gltf,.vrm'
 
-/** Layers of the document and their maps. */
 export function Layers({ model: { layers, session } }: { model: PanelModel }) {
   const document = session.document.value
   const keys = useKeys(document?.layers.map(({ name }) => name) ?? [])
@@ -57,7 +57,7 @@ export function Layers({ model: { layers, session } }: { model: PanelModel }) {
   )
 }
 
-/** Returns stable keys of layers. A renamed layer keeps its key, so that its form keeps the focus. */
+/** Returns a key for each layer. A layer keeps its key when it is renamed, so that its form keeps the focus. */
 function useKeys(names: readonly string[]): readonly number[] {
   const last = useRef({ names, keys: names.map((_, i) => i), free: names.length })
   const { names: old, keys, free } = last.current
@@ -76,7 +76,8 @@ interface LayerProps {
 }
 
 function Layer({ layer, isFirst, isLast, hasStrokes, editor }: LayerProps) {
-  const { name, kind, normalScale, maps, heightAmplitude, bloodAmplitude } = layer
+  const { name, kind, normalScale, maps, heightAmplitude, bloodAmplitude, onsetStrength, isOnsetDrawn } =
+    layer
   const id = useId()
   return (
     <details class="layer">
@@ -96,7 +97,7 @@ function Layer({ layer, isFirst, isLast, hasStrokes, editor }: LayerProps) {
             value={name}
             onChange={({ currentTarget }) => {
               editor.rename(name, currentTarget.value)
-              // The document supplies the new name; a rejected one is reset.
+              // Show the old name, in case the new name is invalid. A valid name is shown when the document has changed.
               currentTarget.value = name
             }}
           />
@@ -132,9 +133,24 @@ function Layer({ layer, isFirst, isLast, hasStrokes, editor }: LayerProps) {
             onRest={() => editor.settle()}
           />
         )}
+        {(maps.onset || isOnsetDrawn) && (
+          <NumberSlider
+            label="Onset"
+            range={[0, 1, 0.05]}
+            value={onsetStrength ?? 1}
+            onMove={(value) => editor.set(name, { onsetStrength: value })}
+            onRest={() => editor.settle()}
+          />
+        )}
       </div>
       {MAP_NAMES.map((map) => (
-        <MapRow key={map} layer={layer} map={map} isDrawn={hasStrokes && isDrawn(map)} editor={editor} />
+        <MapRow
+          key={map}
+          layer={layer}
+          map={map}
+          isDrawn={hasStrokes && isDrawn(map, layer)}
+          editor={editor}
+        />
       ))}
       <Bake name={name} editor={editor} />
       <div class="add">
@@ -162,9 +178,9 @@ function Layer({ layer, isFirst, isLast, hasStrokes, editor }: LayerProps) {
   )
 }
 
-/** Whether strokes are drawn into this map. */
-function isDrawn(map: MapName): boolean {
-  return map === 'normal' || map === 'occlusion'
+/** Whether strokes are drawn into a map. */
+function isDrawn(map: MapName, { isOnsetDrawn }: StudioLayer): boolean {
+  return map === 'normal' || map === 'occlusion' || (map === 'onset' && isOnsetDrawn === true)
 }
 
 interface MapRowProps {
@@ -216,7 +232,7 @@ function MapRow({ layer: { name, maps }, map, isDrawn, editor }: MapRowProps) {
   )
 }
 
-/** Bakes a chosen or dropped sculpt, and shows the progress. */
+/** Button that bakes a sculpt, which the user chooses or drops, into a normal map. Shows the progress. */
 function Bake({ name, editor }: { name: string; editor: LayerEditor }) {
   const id = useId()
   const run = editor.run.value
@@ -238,7 +254,7 @@ function Bake({ name, editor }: { name: string; editor: LayerEditor }) {
   return (
     <label
       class="file bake"
-      title="A detailed model of the wrinkled face, at the place and in the size of this one"
+      title="A detailed model of the wrinkled face, with the position and size of this face"
       onDrop={(event) => {
         event.preventDefault()
         bake(event.dataTransfer?.files)

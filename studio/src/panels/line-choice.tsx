@@ -5,11 +5,11 @@ import { type ShortcutName, shortcutOf } from '../shortcuts.ts'
 import { LabelledGroup } from './controls/labelled-group.tsx'
 import type { PanelModel } from './model.ts'
 
-/** CSS pixels per key press, without and with Shift. */
+/** Movement of a point per key press, without and with Shift, CSS pixels. */
 const STEP = 2
 const LARGE_STEP = 20
 
-/** Select for lines, as an alternative to clicking on the face. */
+/** Select for the line to edit. Users can also click on a line on the face. */
 export function LineChoice({ editor, strokes }: { editor: LineEditor; strokes: readonly LayerStroke[] }) {
   const id = useId()
   return (
@@ -33,7 +33,7 @@ export function LineChoice({ editor, strokes }: { editor: LineEditor; strokes: r
   )
 }
 
-/** Names lines by group, with a number if the group has several. */
+/** Returns a name for each line: its group, with a number if the group has several lines. */
 function namesOf(strokes: readonly LayerStroke[]): string[] {
   const groups = strokes.map(({ group }) => group ?? 'Without a group')
   const counts = new Map<string, number>()
@@ -45,9 +45,10 @@ function namesOf(strokes: readonly LayerStroke[]): string[] {
   return groups.map((group, i) => (counts.get(group) === 1 ? group : `${group} ${numbers[i]}`))
 }
 
-/** Numbered points of the chosen line. The focused point is chosen and moves with the arrow keys. */
+/** Buttons for the points and forks of the chosen line. Arrow keys move the point whose button has the focus. */
 export function LinePoints({ editor, actions }: { editor: LineEditor; actions: PanelModel['actions'] }) {
-  const count = editor.pointCount
+  const handles = editor.handles.value
+  const count = handles.length
   const point = editor.point.value
   const onKeyDown = (event: KeyboardEvent, index: number) => {
     const name = shortcutOf('linePoint', event)
@@ -56,8 +57,8 @@ export function LinePoints({ editor, actions }: { editor: LineEditor; actions: P
     editor.point.value = index
     if (name === 'remove') {
       actions.attempt(() => editor.remove())
-      // Choose the point that has the focus now.
-      if (editor.chosen.peek()) editor.point.value = Math.min(index, editor.pointCount - 1)
+      // The focus is now on the next point, so choose this point.
+      if (editor.chosen.peek()) editor.point.value = Math.min(index, editor.handles.peek().length - 1)
       return
     }
     const step = event.shiftKey ? LARGE_STEP : STEP
@@ -67,13 +68,14 @@ export function LinePoints({ editor, actions }: { editor: LineEditor; actions: P
   return (
     <LabelledGroup label="Points">
       <div class="points">
-        {Array.from({ length: count }, (_, i) => (
+        {handles.map(({ knot, fork }, i) => (
           <button
             key={i}
             type="button"
+            class={fork ? 'fork' : ''}
             aria-pressed={i === point}
-            aria-label={`Point ${i + 1} of ${count}`}
-            title="Arrow keys move it, Delete removes it"
+            aria-label={`Point ${i + 1} of ${count}${fork ? ', a fork' : ''}`}
+            title={`Arrow keys move it${fork ? ' with all lines that meet there' : ''}${knot < 0 ? '' : ', Delete removes it'}`}
             onFocus={() => {
               editor.point.value = i
             }}

@@ -1,6 +1,7 @@
-import { BANK_WIDTHS } from 'furrow/internal'
+import { BANK_WIDTHS, isBulge } from 'furrow/internal'
 import { useId } from 'preact/hooks'
-import type { LineEditor, LineMode, LineShape } from '../lines/line-editor.ts'
+import type { LineEditor, LineMode } from '../lines/line-editor.ts'
+import { type LineShape, meanTaper } from '../lines/line-shape.ts'
 import { Choice } from './controls/choice.tsx'
 import { NumberSlider } from './controls/number-slider.tsx'
 import { Section } from './controls/section.tsx'
@@ -13,7 +14,7 @@ const MODES: readonly { value: LineMode; label: string; title?: string }[] = [
   { value: 'draw', label: 'Draw', title: 'Draw a new line on the skin' },
 ]
 
-/** Controls of the chosen line, or of new lines. */
+/** Section with the settings of the chosen wrinkle line, or of new lines. */
 export function Lines({ model }: { model: PanelModel }) {
   const { lines, session, actions } = model
   const mode = lines.mode.value
@@ -31,7 +32,7 @@ export function Lines({ model }: { model: PanelModel }) {
           }}
         />
         {mode === 'edit' && <LineChoice editor={lines} strokes={session.document.value?.strokes ?? []} />}
-        <p class="hint">{HINTS[mode === 'edit' && chosen ? 'chosen' : mode]}</p>
+        <p class="hint">{hintOf(lines)}</p>
         {mode === 'edit' && chosen && <LinePoints editor={lines} actions={actions} />}
         {mode !== 'off' && shape && (
           <>
@@ -53,10 +54,16 @@ export function Lines({ model }: { model: PanelModel }) {
   )
 }
 
-const HINTS: Record<LineMode | 'chosen', string> = {
+function hintOf({ mode, chosen, handles }: LineEditor): string {
+  if (mode.value !== 'edit' || !chosen.value) return HINTS[mode.value]
+  return handles.value.some(({ fork }) => fork) ? `${HINTS.chosen} ${HINTS.fork}` : HINTS.chosen
+}
+
+const HINTS: Record<LineMode | 'chosen' | 'fork', string> = {
   off: 'Every wrinkle is a line: edit those that are there, or draw your own.',
   edit: 'Click a line on the face, or choose it above.',
   chosen: 'Drag a point to move it. Shift+click or double-click adds one, Delete removes it.',
+  fork: 'A diamond is a fork: it moves all lines that meet there.',
   draw: 'Draw on the skin. Drag beside the face to turn it.',
 }
 
@@ -67,18 +74,21 @@ interface ControlsProps {
   attempt: Attempt
 }
 
-/** Minimum, maximum and step of each slider. */
+/** Minimum, maximum and step of each slider. Width and depth are in millimetres. A negative depth is the height of a bulge. */
 const WIDTH = [0.2, 12, 0.1] as const
-const DEPTH = [0, 3, 0.02] as const
+const BULGE_WIDTH = [1, 50, 0.5] as const
+const DEPTH = [-3, 3, 0.02] as const
 const FRACTION = [0, 1, 0.01] as const
-/** Width of the raised sides, millimetres. */
+/** Range for the width of the raised banks beside the valley, millimetres. */
 const BANK = [0.2, 30, 0.1] as const
 const LEAN = [-0.9, 0.9, 0.05] as const
-/** Fraction of the length, at each end. Up to one half, so that the ends do not overlap. */
+/** Range for the fraction of the length over which each end fades. At most 0.5, so that the ends do not overlap. */
 const TAPER = [0, 0.5, 0.01] as const
 
 function Shape({ shape, editor, attempt }: ControlsProps & { shape: LineShape }) {
-  const { width, depth, softness, shoulder, bank, lean = 0, taper } = shape
+  const { width, depth, softness, shoulder, bank, lean = 0 } = shape
+  const isRaised = isBulge(shape)
+  const attached = editor.mode.value === 'edit' ? editor.attachedEnds.value : []
   const slider = (
     label: string,
     range: readonly [number, number, number],
@@ -95,15 +105,20 @@ function Shape({ shape, editor, attempt }: ControlsProps & { shape: LineShape })
   )
   return (
     <div>
-      {slider('Width, mm', WIDTH, width, (value) => ({ width: value }))}
+      {slider('Width, mm', isRaised ? BULGE_WIDTH : WIDTH, width, (value) => ({ width: value }))}
       {slider('Depth, mm', DEPTH, depth, (value) => ({ depth: value }))}
-      {slider('Softness', FRACTION, softness, (value) => ({ softness: value }))}
-      {slider('Shoulders', FRACTION, mean(shoulder), (value) => ({ shoulder: [value, value] }))}
-      {slider('Banks, mm', BANK, bank ? mean(bank) : BANK_WIDTHS * width, (value) => ({
-        bank: [value, value],
-      }))}
+      {isRaised && <p class="hint">A negative depth raises the skin: the line is a bulge.</p>}
+      {!isRaised && (
+        <>
+          {slider('Softness', FRACTION, softness, (value) => ({ softness: value }))}
+          {slider('Shoulders', FRACTION, mean(shoulder), (value) => ({ shoulder: [value, value] }))}
+          {slider('Banks, mm', BANK, bank ? mean(bank) : BANK_WIDTHS * width, (value) => ({
+            bank: [value, value],
+          }))}
+        </>
+      )}
       {slider('Lean', LEAN, lean, (value) => ({ lean: value }))}
-      {slider('Taper', TAPER, mean(taper), (value) => ({ taper: [value, value] }))}
+      {slider('Taper', TAPER, meanTaper(shape, attached), (value) => ({ taper: [value, value] }))}
     </div>
   )
 }
@@ -115,13 +130,13 @@ function mean([a, b]: readonly [number, number]): number {
 interface MembershipProps extends ControlsProps {
   group: string
   layer: string
-  /** Whether the fields apply to new lines, whose default comes from the area below them. */
+  /** Whether the fields apply to new lines. If a field is empty, a new line gets the value of the area that it is drawn on. */
   isNew: boolean
   groups: readonly string[]
   layers: readonly string[]
 }
 
-/** Area and layer of a line. */
+/** Fields for the group and the layer of a line. */
 function Membership({ group, layer, isNew, groups, layers, editor, attempt }: MembershipProps) {
   const id = useId()
   return (
@@ -133,7 +148,7 @@ function Membership({ group, layer, isNew, groups, layers, editor, attempt }: Me
           type="search"
           list={`${id}-groups`}
           value={group}
-          placeholder={isNew ? 'The area under the line' : 'A new name makes an area'}
+          placeholder={isNew ? 'The area under the line' : 'A new name creates an area'}
           onChange={({ currentTarget }) => attempt(() => editor.setGroup(currentTarget.value.trim()))}
         />
         <datalist id={`${id}-groups`}>
@@ -166,13 +181,24 @@ function groupsOf({ document }: PanelModel['session']): string[] {
   return [...new Set([...areas.map(({ name }) => name), ...strokes.flatMap(({ group }) => group ?? [])])]
 }
 
+/** Whether a point of the spline is chosen, not only a fork between two points. */
+function hasPoint({ handles, point }: LineEditor): boolean {
+  return (handles.value[point.value]?.knot ?? -1) >= 0
+}
+
 function Operations({ editor, attempt }: ControlsProps) {
   const buttons: readonly [label: string, title: string, action: () => void, isDisabled?: boolean][] = [
     ['Smooth', 'Moves its points towards a smoother line', () => editor.smooth()],
     ['Split', 'At the chosen point, or in the middle', () => editor.split()],
     ['Mirror', 'Adds its mirror image', () => editor.mirror()],
+    [
+      'Detach',
+      'Separates it from the line that it ends on',
+      () => editor.detach(),
+      editor.attachedEnds.value.length === 0,
+    ],
     ['Delete line', '', () => editor.removeLine()],
-    ['Delete point', 'The chosen one', () => editor.remove(), editor.point.value < 0],
+    ['Delete point', 'The chosen one', () => editor.remove(), !hasPoint(editor)],
   ]
   return (
     <fieldset class="grid lines-actions" aria-label="Chosen line">

@@ -15,17 +15,17 @@ import type { Session } from '../session/session.ts'
 import type { ShapeEditor } from '../session/shape-editor.ts'
 import type { Painting } from '../tools/painting.ts'
 import type { Hovered } from '../viewer/hovered.ts'
-import type { Look } from '../viewer/looks/looks.ts'
+import type { Look } from '../viewer/looks/look.ts'
 import type { ClipPlayer } from '../viewer/pose/clip-player.ts'
 import type { Dial } from '../viewer/pose/dials.ts'
 import type { Staging } from '../viewer/staging.ts'
 import type { Viewer } from '../viewer/viewer.ts'
 
-/** State and actions of the panels. */
+/** State that the panels show, and actions that they offer. */
 export interface PanelModel {
   readonly session: Session
   readonly lines: LineEditor
-  /** Areas of the document. Without a document, panels show the viewer's areas. */
+  /** Editor of the document's areas. Without a document, panels show the areas of `viewer`. */
   readonly areas: AreaEditor
   readonly layers: LayerEditor
   readonly shapes: ShapeEditor
@@ -33,27 +33,25 @@ export interface PanelModel {
   /** Names of the shipped faces. */
   readonly faces: ReadonlySignal<readonly string[]>
   readonly viewer: ReadonlySignal<Viewer | null>
-  /** Changes when a weight or an activation may have changed. */
+  /** Counter that increases when a weight or an activation may have changed. */
   readonly frame: ReadonlySignal<number>
-  /** Changes when the viewer's areas, mode or look change. */
+  /** Counter that increases when the viewer's areas, mode or look change. */
   readonly revision: ReadonlySignal<number>
-  /** Expression shown or approached, null after a slider changed it. */
+  /** Expression that the face has or moves to. Null after a slider has changed the face. */
   readonly expression: ReadonlySignal<string | null>
   readonly hovered: Signal<Hovered | null>
   /** Light and turntable. */
   readonly staging: Staging
-  /** Player of key frames. */
   readonly player: ClipPlayer
-  /** Settings and current run of automatic wrinkles. */
   readonly auto: ReadonlySignal<AutoSettings>
+  /** Progress of making automatic wrinkles, or null. */
   readonly autoRun: ReadonlySignal<AutoRun | null>
   readonly exporting: ReadonlySignal<ExportState | null>
-  /** Projects stored in the browser, and the state of saving. */
   readonly projects: ReadonlySignal<readonly ProjectEntry[]>
+  /** State of saving in the browser, or null while there is nothing to save. */
   readonly saving: ReadonlySignal<KeepState | null>
-  /** Project folder on disk, or null. */
+  /** Folder on disk to which the user saved the project, or null. */
   readonly folder: ReadonlySignal<FileSystemDirectoryHandle | null>
-  /** Whether the list of shortcuts is open. */
   readonly isListOpen: Signal<boolean>
   readonly actions: PanelActions
 }
@@ -70,30 +68,32 @@ export interface PanelActions {
   setMode(mode: WrinkleMode): void
   setLook(look: Look): void
   play(expression: string): void
-  /** Returns blendshape weights by name, as set by the user. */
+  /** Ends the preview of an area or blendshape. Then returns the weights of all blendshapes. The keys are their names. */
   pose(): ReadonlyMap<string, number>
   input(dial: Dial, value: number): void
   reset(dials: readonly Dial[]): void
   addAreaImages(files: readonly File[], convention: AreaConvention): void
   removeArea(name: string): void
-  /** Moves the chosen point of the chosen line on screen, by CSS pixels. */
+  /** Moves the chosen point of the chosen line over the skin, by a distance on the screen, CSS pixels. */
   moveLinePoint(right: number, down: number): void
-  /** Makes automatic wrinkles: previews while a control moves, the full result on release. */
+  /** Shows a preview of automatic wrinkles, while a slider moves. */
   previewAuto(settings: AutoSettings): void
+  /** Makes automatic wrinkles with maps of full size. */
   makeAuto(settings: AutoSettings): void
   cancelAuto(): void
-  /** Makes the wrinkles of the file editable. */
+  /** Makes a document from the wrinkles in the avatar's file, so that they can be edited. */
   editWrinkles(): void
   openProject(id: string): void
-  /** For a project that is open in another tab: continues in a copy, or takes it over. */
+  /** Continues in a copy of a project that is open in another tab. */
   keepCopy(): void
+  /** Takes over the project from another tab that has it open. */
   takeOver(): void
   deleteProject(id: string): void
   exportFace(options: ExportOptions): void
   cancelExport(): void
   saveExport(): void
   saveProject(): void
-  /** Saves the project to its folder, or to a chosen one. */
+  /** Saves the project to its folder on disk. Asks for a folder if the project has none, or if `isOtherFolder` is true. */
   saveToFolder(isOtherFolder: boolean): void
   copyLink(): void
   copyCode(text: string): void

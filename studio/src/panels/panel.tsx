@@ -13,7 +13,6 @@ import { ShortcutList } from './shortcut-list.tsx'
 import { Targets } from './targets.tsx'
 import { Title } from './title.tsx'
 
-/** All panels beside the stage. */
 export function Panel({ model }: { model: PanelModel }) {
   return (
     <>

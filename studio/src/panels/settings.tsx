@@ -2,7 +2,7 @@ import type { WrinkleMode } from 'furrow/three'
 import type { RendererKind } from '../../../stage/stage.ts'
 import { type Appearance, chooseAppearance, chosenAppearance } from '../appearance.ts'
 import { displayName } from '../display-name.ts'
-import type { Look, LookName } from '../viewer/looks/looks.ts'
+import type { Look, LookName } from '../viewer/looks/look.ts'
 import { Choice } from './controls/choice.tsx'
 import { Section } from './controls/section.tsx'
 import type { PanelModel } from './model.ts'
@@ -14,7 +14,7 @@ const RENDERERS: readonly { value: RendererKind; label: string }[] = [
 ]
 
 const MODES: readonly { value: Exclude<WrinkleMode, 'composed'>; label: string; title?: string }[] = [
-  { value: 'default', label: 'Default', title: 'Mixes normals, lights once' },
+  { value: 'default', label: 'Default', title: 'Mixes normals, computes the lighting once' },
   { value: 'paper', label: 'Paper', title: 'Lights twice, mixes colours' },
   { value: 'off', label: 'Off' },
 ]
@@ -24,12 +24,13 @@ const LOOKS: readonly { value: LookName; label: string; title?: string }[] = [
   { value: 'clay', label: 'Clay', title: 'The shape alone' },
   { value: 'normals', label: 'Normals' },
   { value: 'influence', label: 'Areas', title: 'Areas of influence times their activations' },
-  { value: 'strain', label: 'Strain', title: 'How the present pose compresses and stretches the skin' },
+  { value: 'strain', label: 'Strain', title: 'How the current pose compresses and stretches the skin' },
+  { value: 'onset', label: 'Onset', title: 'Activation at which the skin begins to wrinkle' },
   { value: 'wireframe', label: 'Wires' },
 ]
 
 const APPEARANCES: readonly { value: Appearance; label: string; title?: string }[] = [
-  { value: 'system', label: 'System', title: 'As the system is' },
+  { value: 'system', label: 'System', title: 'Follows the system' },
   { value: 'light', label: 'Light' },
   { value: 'dark', label: 'Dark' },
 ]
@@ -62,13 +63,14 @@ export function Settings({ model }: { model: PanelModel }) {
         <Choice
           label="Show"
           options={LOOKS}
-          columns={3}
+          columns={4}
           value={look.name}
           onChange={(name) => actions.setLook({ name })}
         />
         {look.name === 'strain' && (
           <p class="hint">Orange is compressed, blue is stretched: full colours from 30% on.</p>
         )}
+        {look.name === 'onset' && <OnsetChoice model={model} shown={look.layer} />}
         {look.name === 'influence' && (
           <AreaChoice model={model} shown={typeof look.area === 'string' ? look.area : ''} />
         )}
@@ -120,6 +122,39 @@ function SkinChoice({ model: { viewer, actions } }: { model: PanelModel }) {
         ))}
       </select>
     </div>
+  )
+}
+
+/** Chooses the layer whose onset map is shown, and explains the colours. */
+function OnsetChoice({
+  model: { viewer, actions },
+  shown,
+}: {
+  model: PanelModel
+  shown: string | undefined
+}) {
+  const names = [...(viewer.value?.onsets.keys() ?? [])]
+  if (names.length === 0) return <p class="hint">No layer has an onset map, so all lines begin at once.</p>
+  return (
+    <>
+      <div class="setting">
+        <label for="onset-layer">Onset of</label>
+        <select
+          id="onset-layer"
+          value={shown ?? names[0]}
+          onChange={({ currentTarget }) => actions.setLook({ name: 'onset', layer: currentTarget.value })}
+        >
+          {names.map((name) => (
+            <option key={name} value={name}>
+              {name}
+            </option>
+          ))}
+        </select>
+      </div>
+      <p class="hint">
+        Orange begins to wrinkle early, blue late: full blue from activation 0.5 on. Dark has no delay.
+      </p>
+    </>
   )
 }
 

@@ -26,7 +26,6 @@ const SIGNS: Record<string, string> = {
   PageDown: 'Page down',
 }
 
-/** Dialog with all shortcuts. */
 export function ShortcutList({ isOpen }: { isOpen: Signal<boolean> }) {
   const dialog = useRef<HTMLDialogElement>(null)
   useSignalEffect(() => {
@@ -70,7 +69,7 @@ function Keys({ keys }: { keys: readonly string[] }) {
   return keys.map((key) => <kbd key={key}>{signOf(key)}</kbd>)
 }
 
-/** Formats keys such as `Mod+z` as labelled on the keyboard. */
+/** Formats keys such as `Mod+z` with the labels of the user's keyboard. */
 function signOf(key: string): string {
   if (key.length === 1) return key.toUpperCase()
   return key

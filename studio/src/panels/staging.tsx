@@ -2,10 +2,10 @@ import { reducedMotion } from '../motion.ts'
 import { ballPoint, clampedLight, lightOnBall } from '../viewer/light-direction.ts'
 import { KEY_LIGHT, type Staging } from '../viewer/staging.ts'
 
-/** Degrees per key press. */
+/** Rotation of the light per key press, degrees. */
 const STEP = 5
 
-/** Light, dragged on a ball, and turntable. */
+/** Controls of the stage: a ball on which the user drags the light, and the turntable. */
 export function StagingControls({ staging }: { staging: Staging }) {
   return (
     <div class="setting staging">
@@ -55,7 +55,7 @@ function LightBall({ staging: { light } }: { staging: Staging }) {
       class="ball"
       role="slider"
       tabIndex={0}
-      title="Drag the light; Home and a double click put it back"
+      title="Drag the light; Home or a double click resets it"
       aria-label="Light"
       aria-valuemin={-90}
       aria-valuemax={90}

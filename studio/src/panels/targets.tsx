@@ -9,7 +9,7 @@ import type { PanelModel } from './model.ts'
 /** Sliders of all blendshapes, in collapsible groups with a name filter. */
 export function Targets({ model }: { model: PanelModel }) {
   const { viewer, revision, hovered, actions } = model
-  // Muscles add blendshapes.
+  // Muscles add blendshapes. Render again after changes of muscles.
   revision.value
   const dials = viewer.value?.targets
   const groups = useMemo(() => groupShapes(dials ?? []), [dials])
@@ -59,9 +59,9 @@ interface GroupProps {
   group: ShapeGroup<Dial>
   /** Whether a filter is active. A filter opens all groups temporarily. */
   isFiltered: boolean
-  /** Returns false for sliders to hide. Hidden sliders still follow the face. */
+  /** Returns whether to show a slider. Hidden sliders still follow the face. */
   matches(dial: Dial): boolean
-  /** Blendshapes that drive the hovered area. */
+  /** Blendshapes that drive the area under the pointer. */
   linked: readonly string[]
   model: PanelModel
 }

@@ -2,10 +2,9 @@ import { AutoProgress } from './auto-progress.tsx'
 import { KeepStatus } from './keeping/keep-status.tsx'
 import type { PanelModel } from './model.ts'
 
-/** File types of the file dialog. */
 const FACES = '.glb,.gltf,.vrm,.bin,.png,.jpg,.jpeg,.webp,.ktx2,.json,.zip,.csv'
 
-/** Makes a file input choose folders. JSX lacks this attribute. */
+/** Makes a file input choose folders, by an attribute that JSX lacks. */
 function chooseFolder(input: HTMLInputElement | null): void {
   if (input) input.webkitdirectory = true
 }
@@ -15,7 +14,7 @@ export function Title({ model }: { model: PanelModel }) {
   const { session, viewer, revision, actions } = model
   const { undoLabel, redoLabel } = session
   revision.value
-  // Wrinkles of a file are shown as is until "Edit wrinkles".
+  // Wrinkles in the avatar's file cannot be edited until the user presses "Edit wrinkles".
   const isEditable = Boolean(viewer.value?.wrinkles) && !session.document.value
   return (
     <header class="title">
@@ -47,7 +46,7 @@ export function Title({ model }: { model: PanelModel }) {
           />
           <span>Open folder…</span>
         </label>
-        {/* aria-disabled keeps the focus, so that repeated key presses undo everything. */}
+        {/* A button with `aria-disabled` keeps the focus, so that users can undo everything by pressing a key repeatedly. */}
         <button
           type="button"
           aria-disabled={!undoLabel.value}
@@ -87,7 +86,7 @@ export function Title({ model }: { model: PanelModel }) {
           </button>
         )}
       </div>
-      {/* Only for a new avatar. Otherwise the progress is shown in the section of automatic wrinkles. */}
+      {/* Only for a new avatar. With a document, the section of automatic wrinkles shows the progress. */}
       {!session.document.value && <AutoProgress model={model} />}
       <KeepStatus model={model} />
     </header>

@@ -20,7 +20,7 @@ import type { Session } from './session.ts'
 
 type Names = ReadonlySet<string>
 
-/** Edits the document's areas, and holds their page state: the chosen, muted and soloed areas. */
+/** Edits the document's areas of influence. Also stores which areas are chosen, muted and soloed. The document does not contain this state. */
 export class AreaEditor {
   readonly #session: Session
   readonly #attempt: (task: () => void) => unknown
@@ -29,7 +29,7 @@ export class AreaEditor {
   readonly #soloed = signal<Names>(new Set())
   #lastHidden: readonly string[] = []
 
-  /** Whether area images use the paper's convention: white without wrinkles. */
+  /** Whether imported images of areas are white where there are no wrinkles (the convention `paper`). */
   readonly isPaper = signal(true)
 
   /** Area whose controls are shown. */
@@ -38,8 +38,8 @@ export class AreaEditor {
   })
 
   /**
-   * Areas shown as inactive: muted ones, and all others if any are soloed. Keeps the same array while the names are the same,
-   * because a new array redraws the face.
+   * Names of the areas that the face shows as inactive: muted areas and, if any area is soloed, all areas that are not soloed. The
+   * array is replaced only when the names change, because a new array causes a redraw of the face.
    */
   readonly hidden: ReadonlySignal<readonly string[]> = computed(() => {
     const [muted, soloed] = [this.#muted.value, this.#soloed.value]
@@ -85,7 +85,6 @@ export class AreaEditor {
     this.#soloed.value = toggled(this.#soloed.peek(), name)
   }
 
-  /** Adds an empty area and chooses it. */
   addEmpty(): void {
     const name = freeName(this.#areas, 'area')
     this.#edit('Add an area', (document) => addEmptyArea(document, name))
@@ -115,7 +114,7 @@ export class AreaEditor {
   }
 
   /**
-   * Mirrors an area to the other side of the face and chooses the mirrored one.
+   * Mirrors an area to the other side of the face and chooses the mirrored area.
    *
    * @param mirror returns mirrored weights.
    */
@@ -128,7 +127,7 @@ export class AreaEditor {
     this.#chooseExisting(other)
   }
 
-  /** Replaces the weights of an area. Resamples them. */
+  /** Replaces the weights of an area by an image, after resampling the image to the size of the areas. */
   fill(name: string, weights: GrayImage): void {
     this.#edit(`Fill ${name} from an image`, (document) =>
       paintArea(document, name, resampleGray(weights, document.areaSize)),
@@ -144,7 +143,7 @@ export class AreaEditor {
       if (names.peek().has(name)) names.value = new Set([...names.peek(), newName])
     }
     this.#attempt(() =>
-      // Batched, so that an area stays chosen throughout.
+      // Batch the changes. Otherwise, the chosen area would not exist between the first and the last change.
       batch(() => {
         this.#session.edit(`Rename ${name}`, (document) => renameArea(document, name, newName))
         follow(this.#muted)
@@ -159,12 +158,12 @@ export class AreaEditor {
     this.#edit(`Change ${name}`, (document) => setArea(document, name, fields), key)
   }
 
-  /** Ends a series of `set`. */
+  /** Ends the undo step of consecutive calls of `set`. */
   settle(): void {
     this.#session.settle()
   }
 
-  /** Makes the set blendshapes activate an area. */
+  /** Makes a pose activate an area. @param weights blendshape weights by name, 0..1. */
   recordPose(name: string, weights: ReadonlyMap<string, number>): void {
     this.#edit(`Record the pose of ${name}`, (document) => recordPose(document, name, weights))
   }

@@ -2,7 +2,7 @@ import { type ReadonlySignal, signal } from '@preact/signals'
 import { type AutoOptions, type AutoWrinkles, autoWrinklesInWorker } from 'furrow/auto'
 import type { SkinSource } from '../open/skin-source.ts'
 
-/** Progress of a run. */
+/** Progress of making automatic wrinkles. */
 export interface AutoRun {
   readonly step: string
   /** Progress, 0..1. */
@@ -14,12 +14,11 @@ export class Automatic {
   readonly #run = signal<AutoRun | null>(null)
   #abort: AbortController | null = null
 
-  /** Current run, or null. */
   get run(): ReadonlySignal<AutoRun | null> {
     return this.#run
   }
 
-  /** @returns null if the run was cancelled. Rejects with errors of `autoWrinkles`. */
+  /** Makes wrinkles for a skin. Returns null if the run was cancelled. Rejects with errors of `autoWrinkles`. */
   async make(
     { skin, frame }: Pick<SkinSource, 'skin' | 'frame'>,
     options: AutoOptions,
@@ -41,7 +40,6 @@ export class Automatic {
     }
   }
 
-  /** Cancels the current run, if any. */
   cancel(): void {
     this.#abort?.abort()
     this.#end()

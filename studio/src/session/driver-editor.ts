@@ -21,7 +21,7 @@ export class DriverEditor {
   /**
    * Changes fields of a driver.
    *
-   * @param field merges changes of the same field into one undo step until `settle`, for dragging.
+   * @param field name of the changed field. Changes of the same field until `settle` are one undo step.
    */
   set(index: number, field: string, fields: Readonly<Record<string, unknown>>): void {
     const change = (document: StudioDocument) => {
@@ -31,7 +31,7 @@ export class DriverEditor {
     this.#edit('Change a driver', change, `${field} of driver ${index}`)
   }
 
-  /** Ends a series of `set`. */
+  /** Ends the undo step of consecutive calls of `set`. */
   settle(): void {
     this.#session.settle()
   }

@@ -6,7 +6,6 @@ import type { OpenedAvatar } from '../open/avatar.ts'
 import type { DrawnDocument } from '../viewer/document-view.ts'
 import { faceFilesOf } from './face-files.ts'
 
-/** Progress or result of an export. */
 export type ExportState =
   | { kind: 'running'; fraction: number }
   | { kind: 'done'; name: string; face: ExportedFace }
@@ -15,7 +14,7 @@ export type ExportState =
 export interface DrawnWork {
   drawn: DrawnDocument
   avatar: OpenedAvatar
-  /** Heights of strokes, by name of each layer with strokes. */
+  /** Height maps drawn from strokes. The keys are names of the layers that have strokes. */
   heights: ReadonlyMap<string, HeightMap>
 }
 
@@ -24,7 +23,7 @@ export class Exporting {
   readonly #state = signal<ExportState | null>(null)
   #abort: AbortController | null = null
 
-  /** Null before the first export, and after the document changes. */
+  /** State of the last export. Null before the first export, and after the document has changed. */
   get state(): ReadonlySignal<ExportState | null> {
     return this.#state
   }
@@ -66,10 +65,11 @@ export class Exporting {
 /** Combines the document, the maps of its strokes, and the names of its mesh and material. */
 export function documentToPack({ drawn: { document, maps }, avatar, heights }: DrawnWork): DocumentToPack {
   const { skins, skin } = avatar
-  const drawn = document.layers.flatMap(({ name }, i): [string, StrokeMaps][] => {
-    const { normal, occlusion } = maps[i]
+  const drawn = document.layers.flatMap(({ name, isOnsetDrawn }, i): [string, StrokeMaps][] => {
+    const { normal, occlusion, onset } = maps[i]
     const own = heights.get(name)
-    return own && occlusion ? [[name, { normal, occlusion, heights: own }]] : []
+    if (!own || !occlusion) return []
+    return [[name, { normal, occlusion, heights: own, ...(onset && isOnsetDrawn && { onset }) }]]
   })
   return {
     document: { ...skins[skin].target, ...document } as DocumentToPack['document'],
@@ -77,7 +77,7 @@ export function documentToPack({ drawn: { document, maps }, avatar, heights }: D
   }
 }
 
-/** Names the export: `avatar.vrm` becomes `avatar-wrinkled.vrm`; a face with several files becomes one `.glb`. */
+/** Returns the name of the exported file: `avatar-wrinkled.vrm` for `avatar.vrm`, otherwise `avatar-wrinkled.glb`. */
 function nameOf({ name, files: [face] }: OpenedAvatar): string {
   return `${name}-wrinkled.${/\.vrm$/i.test(face.path) ? 'vrm' : 'glb'}`
 }

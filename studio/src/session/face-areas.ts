@@ -5,7 +5,7 @@ import type { Messages } from '../messages.ts'
 import type { ShownFace } from '../viewer/shown-face.ts'
 import type { AreaEditor } from './area-editor.ts'
 
-/** Adds and removes areas, in the document or, if there is no document, on the shown face only. */
+/** Adds and removes areas in the document. Without a document, adds and removes them only on the face on the stage. */
 export class FaceAreas {
   readonly #face: ShownFace
   readonly #editor: AreaEditor
@@ -55,6 +55,6 @@ function tooManyImagesError(count: number): FurrowError {
     problem: 'too many images to add as areas',
     value: count,
     limit: `${MAX_AREAS}`,
-    remedy: 'drop those of this face',
+    remedy: 'drop only the images of this face',
   })
 }

@@ -41,7 +41,7 @@ export class Keeper {
     })
   }
 
-  /** Null while there is nothing to save. */
+  /** State of saving, or null while there is nothing to save. */
   readonly state: ReadonlySignal<KeepState | null> = computed(() =>
     this.#isElsewhere.value ? { kind: 'elsewhere' } : (this.#autosave.value?.state.value ?? null),
   )
@@ -60,10 +60,10 @@ export class Keeper {
     const project = this.#kept.peek()
     if (project) return project
     const state = this.#autosave.peek()?.state.peek()
-    throw state?.kind === 'failed' ? state.reason : new Error('there is nothing to keep')
+    throw state?.kind === 'failed' ? state.reason : new Error('there is nothing to save')
   }
 
-  /** Copies the work to a new project and continues there. Rejects with a FurrowError if that fails. */
+  /** Continues in a copy of the project. Rejects with a FurrowError if that fails. */
   async copy(): Promise<void> {
     const document = this.#document.peek()
     if (!document) return
@@ -92,7 +92,7 @@ export class Keeper {
     project.onRequested(() => void this.#handOver(project))
   }
 
-  /** Hands the project over to another tab. */
+  /** Saves the project and hands it over to another tab. */
   async #handOver(project: Project): Promise<void> {
     this.#isElsewhere.value = true
     const autosave = this.#autosave.peek()
@@ -101,7 +101,7 @@ export class Keeper {
     await project.close()
   }
 
-  /** @param saved document that the project already contains. */
+  /** Saves each change from now on. @param saved document that the project already contains, or null. */
   #save(saved: StudioDocument | null): void {
     if (this.#autosave.peek() || !this.#document.peek()) return
     const document = this.#document as ReadonlySignal<StudioDocument>

@@ -5,7 +5,7 @@ import type { OpenedAvatar } from '../open/avatar.ts'
 import { Keeper, type KeepState } from './keeper.ts'
 import type { Session } from './session.ts'
 
-/** Saves the work in the browser. A project is created at the first change, and saved after every change. */
+/** Saves documents as projects in the browser. Creates a project at the first change, and saves it after every change. */
 export class Keeping {
   readonly #session: Session
   readonly #store = new ProjectStore()
@@ -18,7 +18,7 @@ export class Keeping {
     void this.#list()
   }
 
-  /** Recent projects, latest first. */
+  /** Projects in the browser, the last saved one first. */
   get projects(): ReadonlySignal<readonly ProjectEntry[]> {
     return this.#projects
   }
@@ -26,20 +26,20 @@ export class Keeping {
   /** Current project, or null before the first change. */
   readonly kept: ReadonlySignal<Project | null> = computed(() => this.#keeper.value?.kept.value ?? null)
 
-  /** Null while there is nothing to save. */
+  /** State of saving, or null while there is nothing to save. */
   readonly state: ReadonlySignal<KeepState | null> = computed(() => this.#keeper.value?.state.value ?? null)
 
   /**
-   * Opens a listed project; call `follow` once its document is in the session. Rejects with a FurrowError if that fails.
+   * Opens a project. After setting its document in the session, call `follow`. Rejects with a FurrowError if the project cannot be opened.
    *
-   * @param take takes the project over from another tab.
+   * @param take whether to take the project from another tab that has it open.
    */
   async open(id: string, take = false): Promise<Project> {
     await this.leave()
     return this.#store.open(id, take)
   }
 
-  /** Saves the session's document from now on: to `project`, or to a new one if null. */
+  /** Starts to save the session's document to `project`. If null, the first change creates a project. */
   follow(avatar: OpenedAvatar, project: Project | null): void {
     this.#keeper.value = new Keeper(this.#store, this.#session, avatar, project, () => void this.#list())
   }
@@ -48,7 +48,7 @@ export class Keeping {
   leave(): Promise<void> {
     const keeper = this.#keeper.peek()
     this.#keeper.value = null
-    // Close before awaiting: the session moves on to another document.
+    // Close the keeper before any `await`. Otherwise, it could save the document that the session opens next.
     const closed = keeper?.close()
     this.#leaving = this.#leaving.then(() => closed).then(() => this.#list())
     return this.#leaving
@@ -59,7 +59,7 @@ export class Keeping {
     return this.#keeper.peek()?.project()
   }
 
-  /** Continues in a new project. Rejects with a FurrowError if that fails. */
+  /** Continues in a copy of the project. Rejects with a FurrowError if that fails. */
   async copy(): Promise<void> {
     await this.#keeper.peek()?.copy()
   }

@@ -19,12 +19,11 @@ import { faceFilesOf } from './face-files.ts'
 import { readMap } from './map-file.ts'
 import type { Session } from './session.ts'
 
-/** Default height range of an imported height map, from black to white, metres. */
+/** Default height difference between black and white in an imported height map, metres. */
 const HEIGHT_AMPLITUDE = 0.002
-/** Default amplitude of an imported blood map: white is a clear flush. */
+/** Default amplitude of an imported blood map. With this default, white is a clearly visible flush. */
 const BLOOD_AMPLITUDE = 0.3
 
-/** Progress of a bake. */
 export interface BakeRun {
   readonly layer: string
   /** Progress, 0..1. */
@@ -33,7 +32,7 @@ export interface BakeRun {
 
 export interface LayerEditorParts {
   session: Session
-  /** Returns the document with its drawn maps, or null if there is none. */
+  /** Returns the document with its drawn maps, or null if no document is open. */
   work(): Promise<DrawnWork | null>
   avatar(): OpenedAvatar | null
   /** Runs a task and shows its error. */
@@ -50,7 +49,6 @@ export class LayerEditor {
     this.#parts = parts
   }
 
-  /** Current bake, or null. */
   get run(): ReadonlySignal<BakeRun | null> {
     return this.#bake
   }
@@ -67,7 +65,7 @@ export class LayerEditor {
     this.#edit(`Rename ${name}`, (document) => renameLayer(document, name, newName))
   }
 
-  /** @param by -1 moves up, 1 moves down. */
+  /** Moves a layer in the list. @param by -1 moves it up, 1 moves it down. */
   move(name: string, by: -1 | 1): void {
     this.#edit(`Move ${name}`, (document) => {
       const index = document.layers.findIndex((layer) => layer.name === name) + by
@@ -80,7 +78,7 @@ export class LayerEditor {
     this.#edit(`Change ${name}`, (document) => setLayer(document, name, fields), key)
   }
 
-  /** Ends a series of `set`. */
+  /** Ends the undo step of consecutive calls of `set`. */
   settle(): void {
     this.#parts.session.settle()
   }
@@ -107,7 +105,10 @@ export class LayerEditor {
     })
   }
 
-  /** Bakes a sculpt into the normal map of a layer, including the skin's own details. Cancels a running bake. */
+  /**
+   * Bakes a sculpt (a detailed model of the wrinkled face) into the normal map of a layer. The map also contains the details of smooth skin, so
+   * the layer's kind becomes `replace`. Cancels a running bake.
+   */
   bake(name: string, sculpt: File): void {
     this.cancelBake()
     const abort = new AbortController()
@@ -130,9 +131,9 @@ export class LayerEditor {
   }
 
   /**
-   * Saves maps and areas: a single image as is, several as a .zip.
+   * Saves the images of maps and areas: a single image as a file, several images as a .zip.
    *
-   * @param only path prefix in the project folder.
+   * @param only prefix of paths in the project folder. Images with other paths are skipped.
    */
   save(only = ''): void {
     this.#parts.attempt(async () => {
@@ -154,7 +155,6 @@ export class LayerEditor {
     })
   }
 
-  /** Saves one map of a layer. */
   saveMap(name: string, map: MapName): void {
     const layers = this.#parts.session.document.peek()?.layers ?? []
     const index = layers.findIndex((layer) => layer.name === name)

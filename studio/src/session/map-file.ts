@@ -1,13 +1,15 @@
 import { FurrowError, type GrayImage, type RgbaImage } from 'furrow'
 import { imageTypeOf } from 'furrow/internal'
 import { decodeImage } from 'furrow/three'
+import type { AutoMaps } from '../document/automatic.ts'
 import type { ImageFile, MapName } from '../document/document.ts'
 import { bytesOf } from '../files/dropped-files.ts'
 
 /**
  * Reads an image as a layer map.
  *
- * @param size target side, texels: the maps of all layers share one array. 16-bit height maps are not scaled.
+ * @param size width and height of the result, texels. The maps of all layers share an array texture, so they must have one size. Height maps
+ *   are not in this texture. They keep their size, and their depth of up to 16 bits.
  * @throws FurrowError if the image is unsupported.
  */
 export async function readMap(file: File, map: MapName, size: number): Promise<ImageFile> {
@@ -17,8 +19,16 @@ export async function readMap(file: File, map: MapName, size: number): Promise<I
   return { mimeType: imageTypeOf(bytes) ?? 'image/png', bytes }
 }
 
+/** Encodes the maps of a layer as images. */
+export async function encodeMaps(
+  { blood }: AutoMaps<GrayImage>,
+  layer: string,
+): Promise<AutoMaps<ImageFile>> {
+  return { blood: await encodeGray(blood, `blood of ${layer}`) }
+}
+
 /** Encodes a gray map as PNG, off the main thread. */
-export async function encodeGray({ width, height, data }: GrayImage, name: string): Promise<ImageFile> {
+async function encodeGray({ width, height, data }: GrayImage, name: string): Promise<ImageFile> {
   const { canvas, context } = canvasOf(width, height, name)
   const image = new ImageData(width, height)
   for (let i = 0; i < data.length; i++) {
@@ -30,7 +40,6 @@ export async function encodeGray({ width, height, data }: GrayImage, name: strin
   return { mimeType, bytes: await bytesOf(await canvas.convertToBlob({ type: mimeType }), name) }
 }
 
-/** Scales an image and encodes it as PNG. */
 async function scaled({ width, height, data }: RgbaImage, size: number, name: string): Promise<Uint8Array> {
   const image = new ImageData(Uint8ClampedArray.from(data), width, height)
   const { canvas, context } = canvasOf(size, size, name)
@@ -41,7 +50,7 @@ async function scaled({ width, height, data }: RgbaImage, size: number, name: st
   return bytesOf(await canvas.convertToBlob({ type: 'image/png' }), name)
 }
 
-/** Creates a CPU canvas: reading back a GPU canvas waits for earlier frames. */
+/** Creates a canvas on the CPU. Reading a canvas on the GPU would wait for pending frames. */
 function canvasOf(width: number, height: number, name: string) {
   const canvas = new OffscreenCanvas(width, height)
   const context = canvas.getContext('2d', { willReadFrequently: true })

@@ -16,7 +16,6 @@ export interface OpeningParts {
   workspace: Workspace
   messages: Messages
   loading: Loading
-  /** Adds images as areas. */
   addAreas(images: readonly File[]): Promise<void>
 }
 
@@ -34,7 +33,7 @@ export class Opening {
     return host.open(host.viewer?.kind ?? 'webgl', load)
   }
 
-  /** Returns a loader for a face on the server. */
+  /** Returns a function that loads a face from the server. */
   faceLoader(name: string): LoadAvatar {
     const { loading } = this.#parts
     const title = `Loading ${displayName(name)}`
@@ -57,9 +56,9 @@ export class Opening {
   }
 
   /**
-   * Opens dropped files: an avatar, wrinkles for the shown avatar, areas or captures.
+   * Opens dropped files: an avatar, or wrinkles, areas or facial captures for the current avatar.
    *
-   * @param list called synchronously, because dropped files are inaccessible after their event.
+   * @param list lists the files. Called synchronously, because browsers deny access to dropped files after the event.
    */
   async openFiles(list: () => Promise<DroppedFile[]>): Promise<void> {
     const { messages, loading, addAreas } = this.#parts

@@ -4,9 +4,9 @@ import { type RecognisedShape, recogniseShapesInWorker } from 'furrow/internal'
 
 /** Recognised blendshapes of a skin. */
 export interface Recognised {
-  /** Skin with corrections applied. */
+  /** Skin to which the artist's corrections were applied. */
   readonly skin: Skin
-  /** One entry per blendshape. */
+  /** Meaning of each blendshape. */
   readonly shapes: readonly RecognisedShape[]
 }
 

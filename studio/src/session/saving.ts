@@ -5,7 +5,7 @@ import type { OpenedAvatar } from '../open/avatar.ts'
 import { documentToPack } from './exporting.ts'
 import type { Workspace } from './workspace.ts'
 
-/** Saves the project as a .zip file or a folder that `furrow pack` reads. */
+/** Saves the project as a folder for `furrow pack`, or as a .zip of this folder. */
 export class Saving {
   readonly #workspace: Workspace
   readonly #folder = signal<FileSystemDirectoryHandle | null>(null)
@@ -29,7 +29,7 @@ export class Saving {
     return this.#folder
   }
 
-  /** Zips the project and its avatar, or returns null if there is none. Rejects with a FurrowError if that fails. */
+  /** Returns a .zip of the project with its avatar, or null if no document is open. Rejects with a FurrowError if packing fails. */
   async zip(): Promise<{ file: Blob; name: string } | null> {
     const project = await this.#files()
     const { zipFolder } = await import('../files/zip.ts')
@@ -37,9 +37,10 @@ export class Saving {
   }
 
   /**
-   * Writes the project to its folder, or asks for one if it has none. Requires a user gesture.
+   * Writes the project to its folder on disk. Asks the user for a folder if the project has none. Call while handling a click or
+   * a key, because browsers open the folder dialog only then.
    *
-   * @param isOtherFolder always asks for a folder.
+   * @param isOtherFolder whether to ask for another folder.
    * @returns the folder name, or null if none was chosen. Rejects with a FurrowError if writing fails.
    */
   async toFolder(isOtherFolder: boolean): Promise<string | null> {
@@ -64,7 +65,7 @@ export class Saving {
     return { name: nameOf(avatar), files }
   }
 
-  /** Without browser storage, the folder is remembered until the page is closed. */
+  /** Stores the folder of the project. If the browser blocks storage, remembers the folder until the page closes. */
   async #remember(folder: FileSystemDirectoryHandle): Promise<void> {
     const project = await this.#workspace.keeping.project().catch(() => undefined)
     await project?.setFolder(folder).catch(() => {})

@@ -10,7 +10,6 @@ export class Session {
   readonly document: ReadonlySignal<StudioDocument | null> = computed(
     () => this.#history.value.history?.document ?? null,
   )
-  /** Labels of the next undo and redo steps, if any. */
   readonly undoLabel = computed(() => this.#history.value.history?.undoLabel)
   readonly redoLabel = computed(() => this.#history.value.history?.redoLabel)
 
@@ -23,8 +22,8 @@ export class Session {
    * Applies an operation to the document.
    *
    * @param label action name, shown by undo.
-   * @param key merges this step with the last one of the same key, until `settle`.
-   * @throws any error of the operation, and then leaves the document as is.
+   * @param key consecutive steps with the same key become one step, until `settle` is called.
+   * @throws any error of the operation. The document then does not change.
    */
   edit(label: string, operation: (document: StudioDocument) => StudioDocument, key?: string): void {
     const { history } = this.#history.peek()

@@ -6,16 +6,16 @@ import { correctedSkin, type SkinSource } from '../open/skin-source.ts'
 import { Recognition } from './recognition.ts'
 import type { Session } from './session.ts'
 
-/** Blendshape of the skin. */
+/** Row in the list of the skin's blendshapes. */
 export interface ShapeRow {
   readonly name: string
-  /** Recognition result, or undefined. */
+  /** Recognised meaning, or undefined if it is outdated. */
   readonly recognised: RecognisedShape | undefined
-  /** Chosen ARKit name, null for "none of these", undefined if not corrected. */
+  /** Meaning that the artist chose: an ARKit name, or null for "none of these". Undefined without a correction. */
   readonly correction: string | null | undefined
 }
 
-/** Lists the recognised blendshapes of the skin and corrects them. */
+/** Lists the blendshapes of the skin with their recognised meanings, which the artist can correct. */
 export class ShapeEditor {
   readonly #session: Session
   readonly #source: ReadonlySignal<SkinSource | null>
@@ -33,13 +33,13 @@ export class ShapeEditor {
 
   readonly #corrections = computed(() => this.#session.document.value?.shapes ?? NONE)
 
-  /** Skin with corrections, or null. */
+  /** Current skin with the corrections applied, or null. */
   readonly skin: ReadonlySignal<Skin | null> = computed(() => {
     const source = this.#source.value
     return source && correctedSkin(source, this.#corrections.value)
   })
 
-  /** Rows, or null before recognition. */
+  /** One row for each blendshape, or null before recognition. */
   readonly rows: ReadonlySignal<readonly ShapeRow[] | null> = computed(() => {
     const shapes = this.#recognition.result.value?.shapes
     const targets = this.skin.value?.targets
@@ -50,7 +50,7 @@ export class ShapeEditor {
     })
   })
 
-  /** Whether recognition used the current corrections: a correction can affect other blendshapes. */
+  /** Whether the last recognition used the current corrections. A correction can change the recognised meanings of other blendshapes. */
   readonly isCurrent = computed(() => this.#recognition.result.value?.skin === this.skin.value)
 
   get isRunning(): ReadonlySignal<boolean> {
@@ -64,7 +64,8 @@ export class ShapeEditor {
   }
 
   /**
-   * Corrects a blendshape. Repeated corrections of it are one undo step until `settle`, because arrow keys step through a list.
+   * Corrects a blendshape. All corrections of a blendshape until `settle` are one undo step, because each press of an arrow key in the
+   * drop-down list is a correction.
    *
    * @param shape ARKit name, null for "none of these", undefined to remove the correction.
    */
@@ -85,7 +86,7 @@ export class ShapeEditor {
     )
   }
 
-  /** Ends a series of `correct`. */
+  /** Ends the undo step of consecutive calls of `correct`. */
   settle(): void {
     this.#session.settle()
   }

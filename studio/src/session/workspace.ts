@@ -1,11 +1,17 @@
 import { effect, type ReadonlySignal, signal } from '@preact/signals'
 import { FurrowError } from 'furrow'
 import type { AutoWrinkles } from 'furrow/author'
-import { DEFAULT_AREA_SIZE, halfSide } from 'furrow/internal'
+import { DEFAULT_AREA_SIZE } from 'furrow/internal'
 import type { TargetNames } from 'furrow-files'
-import { automaticDocument, maxAutoLayers, remake } from '../document/automatic.ts'
+import { type AutoMaps, autoMaps, automaticDocument, maxAutoLayers, remake } from '../document/automatic.ts'
 import { blankDocument } from '../document/blank.ts'
-import type { AutoSettings, ImageFile, LayerStroke, StudioDocument } from '../document/document.ts'
+import {
+  AUTO_SETTINGS,
+  type AutoSettings,
+  type ImageFile,
+  type LayerStroke,
+  type StudioDocument,
+} from '../document/document.ts'
 import { MapMaker } from '../draw/map-maker.ts'
 import type { ExportOptions } from '../export/export-document.ts'
 import type { Project } from '../keep/project.ts'
@@ -19,16 +25,13 @@ import { type DrawnWork, Exporting } from './exporting.ts'
 import { faceFilesOf } from './face-files.ts'
 import { Keeping } from './keeping.ts'
 import { Latest } from './latest.ts'
-import { encodeGray } from './map-file.ts'
+import { encodeMaps } from './map-file.ts'
 import { Session } from './session.ts'
 
-/** Default settings of automatic wrinkles. */
-export const AUTO_SETTINGS: AutoSettings = { strength: 1, size: 1024, seed: 1 }
-
-/** Side of preview maps, texels. */
+/** Width and height of preview maps, texels. */
 const PREVIEW_SIZE = 256
 
-/** The current face: its document and the data derived from it. A document change draws the maps, then updates `drawn`. */
+/** Document of the current face, and data derived from it. After each change, draws the maps and updates `drawn`. */
 export class Workspace {
   readonly session = new Session()
   readonly automatic = new Automatic()
@@ -40,13 +43,13 @@ export class Workspace {
   readonly #onError: (error: unknown) => void
   #avatar: OpenedAvatar | null = null
   readonly #source = signal<SkinSource | null>(null)
-  /** Opened project whose avatar is not shown yet. */
+  /** Opened project whose avatar is not on the stage yet. */
   #project: { project: Project; root: OpenedAvatar['root'] } | null = null
   #drawing: Promise<void> | null = null
-  /** Drops outdated previews while a slider moves. */
+  /** Makes previews while a slider moves, and skips outdated ones. */
   readonly #previews = new Latest((settings: AutoSettings) => this.#preview(settings))
 
-  /** Initial settings for the next avatars. */
+  /** Settings of automatic wrinkles for avatars that are opened from now on. */
   initialSettings = AUTO_SETTINGS
 
   /** @param onError receives errors of background work. */
@@ -62,25 +65,23 @@ export class Workspace {
     })
   }
 
-  /** Last document with drawn maps, or a preview. Null if the shown face is plain or its wrinkles are not from the document. */
+  /** Last document whose maps are drawn, or a preview. Null if the face has no wrinkles or shows the wrinkles of the avatar's file. */
   get drawn(): ReadonlySignal<DrawnDocument | null> {
     return this.#drawn
   }
 
-  /** Current skin, or null. */
   get source(): ReadonlySignal<SkinSource | null> {
     return this.#source
   }
 
-  /** Settings of the automatic wrinkles. */
   get settings(): ReadonlySignal<AutoSettings> {
     return this.#settings
   }
 
   /**
-   * Opens a project and returns its avatar. Show the avatar, then pass it to `open`. Rejects with a FurrowError if that fails.
+   * Opens a project and returns its avatar. Show the avatar, then pass it to `open`. Rejects with a FurrowError if the project cannot be opened.
    *
-   * @param take takes the project over from another tab.
+   * @param take whether to take the project from another tab that has it open.
    */
   async openProject(id: string, take = false): Promise<OpenedAvatar> {
     const project = await this.keeping.open(id, take)
@@ -98,7 +99,7 @@ export class Workspace {
     }
   }
 
-  /** Switches to an avatar or skin and closes the previous document. A skin without wrinkles gets automatic ones. */
+  /** Switches to another avatar or skin, and closes the previous document. If the skin has no wrinkles, makes automatic wrinkles. */
   async open(avatar: OpenedAvatar): Promise<void> {
     const isSame = this.#avatar !== null && isSameWork(avatar, this.#avatar)
     this.#avatar = avatar
@@ -112,7 +113,7 @@ export class Workspace {
     this.#maps.close()
     this.#drawn.value = null
     if (left) await left
-    // Yield first: reading a skin of a million vertices takes long.
+    // Reading a skin with a million vertices blocks the page, so let the browser handle pending events first.
     await nextTask()
     if (avatar !== this.#avatar) return
     const opened = project?.opened ?? avatar.document
@@ -124,7 +125,7 @@ export class Workspace {
     if (source && !opened) await this.#begin(source)
   }
 
-  /** Starts with automatic wrinkles or, without blendshapes, with a blank document. */
+  /** Opens a document with automatic wrinkles. If the skin has no blendshapes or no wrinkles can be made, opens an empty document. */
   async #begin(source: SkinSource): Promise<void> {
     const auto = source.skin.targets.length > 0 ? this.initialSettings : undefined
     try {
@@ -156,13 +157,12 @@ export class Workspace {
     void this.#draw()
   }
 
-  /** Exports the drawn document; see `Exporting`. */
   async export(options: ExportOptions): Promise<void> {
     const work = await this.drawnWork()
     if (work) await this.exporting.start(work, options)
   }
 
-  /** Waits for all maps. Returns null if there is no document, or if drawing fails, which `onError` reports. */
+  /** Waits until all maps are drawn. Returns null if no document is open. If drawing fails, reports the error to `onError` and returns null. */
   async drawnWork(): Promise<DrawnWork | null> {
     await this.#draw()
     const [drawn, avatar] = [this.#drawn.peek(), this.#avatar]
@@ -170,31 +170,31 @@ export class Workspace {
     return { drawn, avatar, heights: await this.#maps.heights(drawn.document, this.#source.peek()!) }
   }
 
-  /** Remakes the automatic wrinkles and keeps hand-edited ones. Rejects with a FurrowError if none can be made. */
+  /** Replaces the automatic wrinkles, except wrinkles that the artist has edited. Rejects with a FurrowError if no wrinkles can be made. */
   async makeAuto(chosen: AutoSettings): Promise<void> {
     const avatar = this.#avatar
     const settings = this.#withCorrections(chosen)
     this.#endAuto()
     const wrinkles = await this.#runAuto(settings)
     if (!wrinkles) return
-    const bloods = wrinkles.blood.maps.map(halfSide)
-    const bloodMaps = await Promise.all(
-      bloods.map((map, i) => encodeGray(map, `blood of ${wrinkles.layers[i].name}`)),
-    )
+    const used = { ...settings, seed: wrinkles.seed }
+    this.#settings.value = used
+    const maps = autoMaps(wrinkles)
+    const images = await Promise.all(maps.map((each, i) => encodeMaps(each, wrinkles.layers[i].name)))
     if (avatar !== this.#avatar) return
-    const document = this.#documentOf(wrinkles, settings, bloodMaps)
-    await this.#maps.adopt(document, wrinkles, bloods, this.#source.peek()!)
+    const document = this.#documentOf(wrinkles, used, images)
+    await this.#maps.adopt(document, wrinkles, maps, this.#source.peek()!)
     if (avatar !== this.#avatar) return
     if (!this.session.document.value) this.session.open(document)
     else this.session.edit('Make automatic wrinkles', (old) => remake(old, document))
   }
 
-  /** Prepares the stroke that is likely to be edited next, or none. */
+  /** Prepares edits of a stroke, so that the first change is as fast as later ones. Null cancels the preparation. */
   prepareEdit(stroke: LayerStroke | null): void {
     this.#maps.prepare(stroke)
   }
 
-  /** Previews automatic wrinkles at a small size without changing the document. Of queued previews, only the last is made. */
+  /** Shows automatic wrinkles at a small size without changing the document. If several calls wait, only the last one takes effect. */
   previewAuto(chosen: AutoSettings): Promise<void> {
     const settings = this.#withCorrections(chosen)
     this.#settings.value = settings
@@ -217,7 +217,9 @@ export class Workspace {
     if (!wrinkles) return
     const document = this.#documentOf(wrinkles, settings)
     const { layers, blood } = wrinkles
-    const maps = layers.map(({ normal, occlusion }, i) => ({ normal, occlusion, blood: blood.maps[i] }))
+    const maps = layers.map(({ normal, occlusion, onset }, i) => {
+      return { normal, occlusion, blood: blood.maps[i], ...(onset && { onset }) }
+    })
     this.#drawn.value = { document, maps, changes: new Map() }
   }
 
@@ -237,22 +239,22 @@ export class Workspace {
   #documentOf(
     wrinkles: AutoWrinkles,
     settings: AutoSettings,
-    bloodMaps?: readonly ImageFile[],
+    images?: readonly AutoMaps<ImageFile>[],
   ): StudioDocument {
-    return automaticDocument(wrinkles, settings, this.#areaSize, this.#target, bloodMaps)
+    return automaticDocument(wrinkles, settings, this.#areaSize, this.#target, images)
   }
 
   get #areaSize(): number {
     return this.session.document.peek()?.areaSize ?? DEFAULT_AREA_SIZE
   }
 
-  /** Names of the mesh and material. A project reopens with this skin. */
+  /** Names of the skin's mesh and material. Documents contain them, so that a project opens with the same skin. */
   get #target(): TargetNames {
     const { skins, skin } = this.#avatar!
     return skins[skin].target
   }
 
-  /** Draws the document's maps. Skips intermediate documents. */
+  /** Draws the document's maps. If the document changes meanwhile, continues with the changed document. */
   #draw(): Promise<void> {
     this.#drawing ??= this.#drawAll().finally(() => {
       this.#drawing = null

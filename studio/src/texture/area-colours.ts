@@ -1,7 +1,8 @@
 import type { GrayImage } from 'furrow'
 
-/** Colour of areas over the skin, sRGB, and opacity at full weight. */
+/** Colour in which areas are drawn over the skin, sRGB. */
 const COLOUR = [255, 122, 40] as const
+/** Opacity of this colour at full weight. */
 const OPACITY = 0.8
 
 /** Converts an area to an RGBA overlay, transparent at weight 0. */

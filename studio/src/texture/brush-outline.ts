@@ -5,10 +5,10 @@ const CORNERS = 48
 /**
  * Computes the outline of a round brush in the texture: an ellipse, because the texture stretches the skin.
  *
- * @param triangle surface triangle in the plane of the circle.
+ * @param triangle index of a triangle in the surface. The circle of the brush is in its plane.
  * @param centre texture coordinates of the centre.
  * @param radius radius, millimetres.
- * @returns texture coordinates of the corners.
+ * @returns texture coordinates of the outline's corners.
  */
 export function brushOutline(
   { skin, surface }: Pick<PaintSkin, 'skin' | 'surface'>,

@@ -1,12 +1,12 @@
 import type { Mesh } from 'three'
 import { colourOf, drawUvPicture } from './uv-picture.ts'
 
-/** Side of the picture, pixels. */
+/** Width and height of the picture, pixels. */
 const SIZE = 256
 
 const pictures = new WeakMap<Mesh, HTMLCanvasElement>()
 
-/** Returns the small, pale picture of a skin's texture behind thumbnails, or its UV layout if the texture cannot be drawn. Cached. */
+/** Returns a small, pale picture of a skin's texture, or of the UV layout if the texture cannot be drawn. It is the background of thumbnails. */
 export function palePicture(meshes: readonly [Mesh, ...Mesh[]]): HTMLCanvasElement {
   const known = pictures.get(meshes[0])
   if (known) return known

@@ -1,20 +1,18 @@
 import { traceStroke, uvOf } from 'furrow/internal'
 import type { LayerStroke } from '../document/document.ts'
 import type { PaintSkin } from '../paint/paint-skin.ts'
+import { TEXTURE_JUMP } from '../tools/texture-camera.ts'
 
-/** Step between points of a line that crosses a seam, as a fraction of the texture. Points of a line are much closer. */
-const JUMP = 0.02
-
-/** Line in the texture: texture coordinates per point, split at seams. */
+/** Wrinkle line in the texture. UV seams split it into pieces, which are lists of texture coordinates. */
 export type TextureLine = readonly (readonly (readonly [u: number, v: number])[])[]
 
-/** Cached lines of strokes in the texture of a skin. */
+/** Computes wrinkle lines in the texture of a skin, and caches them. */
 export class TextureLines {
   readonly #skin: PaintSkin
   readonly #size: number
   readonly #lines = new WeakMap<LayerStroke, TextureLine>()
 
-  /** @param size side of the areas, texels. */
+  /** @param size width and height of the areas, texels. */
   constructor(skin: PaintSkin, size: number) {
     this.#skin = skin
     this.#size = size
@@ -33,7 +31,7 @@ export class TextureLines {
     for (let i = 0; i < traced.triangles.length; i++) {
       const [u, v] = uvOf(traced, i, skin)
       const last = pieces.at(-1)?.at(-1)
-      if (last && Math.hypot(u - last[0], v - last[1]) < JUMP) pieces.at(-1)!.push([u, v])
+      if (last && Math.hypot(u - last[0], v - last[1]) < TEXTURE_JUMP) pieces.at(-1)!.push([u, v])
       else pieces.push([[u, v]])
     }
     return pieces.filter((piece) => piece.length > 1)

@@ -7,7 +7,7 @@ const LINE = '#ffe9c9'
 const SHADOW = 'rgb(40 20 10 / 55%)'
 const BRUSH = '#e6b48c'
 
-/** Layers of the picture, bottom to top. */
+/** Contents of the texture view, from bottom to top. */
 export interface TextureLayers {
   /** Colour of the skin with its UV layout, or null if it cannot be drawn. */
   base: CanvasImageSource | null
@@ -17,7 +17,7 @@ export interface TextureLayers {
   outline: readonly (readonly [u: number, v: number])[] | null
 }
 
-/** @param context canvas context in CSS pixels. */
+/** Draws the texture view. @param context canvas context whose units are CSS pixels. */
 export function drawTexture(
   context: CanvasRenderingContext2D,
   [width, height]: readonly [number, number],
@@ -48,7 +48,7 @@ export function drawTexture(
   stroke(context, 1.5, BRUSH)
 }
 
-/** Strokes with a shadow, for contrast on light skin. */
+/** Draws the current path with a darker border, for contrast on light skin. */
 function stroke(context: CanvasRenderingContext2D, width: number, colour: string): void {
   context.lineWidth = width + 1.5
   context.strokeStyle = SHADOW

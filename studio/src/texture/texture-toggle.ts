@@ -1,6 +1,6 @@
 import type { TextureViewParts } from './texture-view.ts'
 
-/** Button that toggles the texture view. Loads the view at the first press. */
+/** Button that toggles the texture view. Downloads the code of the view at the first press. */
 export class TextureToggle {
   readonly #button: HTMLButtonElement
   readonly #parts: TextureViewParts

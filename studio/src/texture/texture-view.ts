@@ -1,5 +1,7 @@
 import { effect, type ReadonlySignal, signal } from '@preact/signals'
 import type { GrayImage } from 'furrow'
+import type { Lines } from '../lines/lines.ts'
+import type { TextureLineView } from '../lines/texture-line-view.ts'
 import type { OpenedAvatar } from '../open/avatar.ts'
 import type { PaintSkin } from '../paint/paint-skin.ts'
 import type { AreaEditor } from '../session/area-editor.ts'
@@ -14,41 +16,43 @@ import { TextureLines } from './texture-lines.ts'
 import { drawTexture } from './texture-picture.ts'
 import { drawUvPicture } from './uv-picture.ts'
 
-/** Side of the skin's picture, texels. */
+/** Width and height of the skin's picture, texels. */
 const PICTURE_SIZE = 1024
 
 export interface TextureViewParts {
-  /** Container element. */
   element: HTMLElement
   session: Session
   areas: AreaEditor
   painting: Painting
+  lines: Lines
   viewer: ReadonlySignal<Viewer | null>
   /** Runs a task and shows its errors. */
   attempt(task: () => unknown): unknown
 }
 
-/** Texture view with UV layout, chosen area and lines. The area can be painted here as on the face. */
+/** View of the skin's texture with its UV layout, the chosen area and wrinkle lines. Users can paint and edit lines here, as on the face. */
 export class TextureView {
   readonly #parts: TextureViewParts
   readonly #canvas = document.createElement('canvas')
   readonly #camera: TextureCamera
   readonly #host: ToolHost
-  /** View size in CSS pixels, 0 while hidden. */
+  /** Size of the view in CSS pixels, 0 while it is hidden. */
   #size: readonly [width: number, height: number] = [0, 0]
   readonly #base = signal<HTMLCanvasElement | null>(null)
   readonly #area = document.createElement('canvas')
+  readonly #edited: TextureLineView
   #lines: { skin: PaintSkin; size: number; lines: TextureLines } | null = null
   #request = 0
 
   constructor(parts: TextureViewParts) {
     this.#parts = parts
-    const { element, painting, viewer, areas, session } = parts
+    const { element, painting, lines, viewer, areas, session } = parts
     element.append(this.#canvas)
     this.#camera = new TextureCamera(element, () => this.#wake())
     this.#host = new ToolHost(element, () => this.#camera.camera)
     new ResizeObserver(() => this.#resize()).observe(element)
     painting.addTexture(this.#host, element, this.#camera)
+    this.#edited = lines.addTexture({ element, host: this.#host }, () => this.#wake())
     let shown: OpenedAvatar | undefined
     effect(() => {
       const avatar = viewer.value?.avatar
@@ -115,6 +119,7 @@ export class TextureView {
           : [],
       outline: hit && skin ? brushOutline(skin, hit.triangle, hit.uv, painting.brush.peek().radius) : null,
     })
+    this.#edited.draw(context, this.#size, this.#camera.frame)
   }
 
   #linesOn(skin: PaintSkin, size: number): TextureLines {

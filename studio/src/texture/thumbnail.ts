@@ -1,11 +1,13 @@
 import type { GrayImage } from 'furrow'
 
-/** Minimum visible weight, minimum crop side as a fraction of the texture, and crop side relative to the area. */
+/** Minimum weight that counts as a part of the area, 0..255. */
 const MIN_WEIGHT = 32
+/** Minimum width of the crop, as a fraction of the texture's width. */
 const MIN_SIDE = 0.35
+/** Width of the crop, as a multiple of the area's extent. */
 const MARGIN = 1.3
 
-/** Square part of a texture, as fractions of its side. */
+/** Square part of a texture, as fractions of the texture's width. `side` is the width of the part. */
 export interface Crop {
   x: number
   y: number

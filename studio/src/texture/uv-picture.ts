@@ -2,14 +2,14 @@ import { drawUvLayout } from 'furrow/internal'
 import type { Mesh, MeshStandardMaterial } from 'three'
 import { readSkin } from '../paint/read-skin.ts'
 
-/** Side of a template, texels. */
+/** Default width and height of the picture, texels. */
 const TEMPLATE_SIZE = 2048
 
 /**
  * Draws the UV layout of a skin over its base colour, as a template for painting.
  *
  * @param meshes meshes of the skin, with one material.
- * @param size side of the picture, texels.
+ * @param size width and height of the picture, texels.
  * @throws FurrowError if a mesh has no texture coordinates.
  */
 export function drawUvPicture(meshes: readonly [Mesh, ...Mesh[]], size = TEMPLATE_SIZE): HTMLCanvasElement {
@@ -25,7 +25,7 @@ export function drawUvPicture(meshes: readonly [Mesh, ...Mesh[]], size = TEMPLAT
   return canvas
 }
 
-/** Returns the base colour texture of a skin, or null if a canvas cannot draw it: KTX 2 textures exist only on the GPU. */
+/** Returns the base colour texture of a skin, or null if a canvas cannot draw it. For example, KTX 2 textures exist only on the GPU. */
 export function colourOf([mesh]: readonly [Mesh, ...Mesh[]]): CanvasImageSource | null {
   const [{ map }] = [mesh.material].flat() as MeshStandardMaterial[]
   const image = map?.image as CanvasImageSource | null | undefined

@@ -7,7 +7,7 @@ export class BrushRing {
   readonly #svg: SVGSVGElement
   readonly #outline: SVGPolygonElement
 
-  /** @param stage element below the outline. */
+  /** @param stage element over which the outline is drawn. */
   constructor(stage: HTMLElement) {
     this.#svg = document.createElementNS('http://www.w3.org/2000/svg', 'svg')
     this.#svg.classList.add('brush-ring')
@@ -36,7 +36,7 @@ export class BrushRing {
   }
 }
 
-/** Returns the corners of a regular polygon around a point, perpendicular to a unit normal. */
+/** Returns the corners of a regular polygon around a point. The plane of the polygon is perpendicular to a unit normal. */
 export function circle(centre: Vector3, normal: Vector3, radius: number): Vector3[] {
   const axis = new Vector3(0, 0, 0).setComponent(Math.abs(normal.x) < 0.5 ? 0 : 1, 1)
   const right = new Vector3().crossVectors(normal, axis).normalize()

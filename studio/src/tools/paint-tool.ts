@@ -8,7 +8,7 @@ import type { SkinHit } from '../paint/picker.ts'
 import type { Sight } from '../paint/visible-places.ts'
 import type { StagePointer, StageTool } from './stage-tool.ts'
 
-/** Target of a stroke. */
+/** Area, brush and skin of a stroke. */
 export interface PaintTarget {
   readonly area: StudioArea
   readonly brush: Brush
@@ -16,7 +16,10 @@ export interface PaintTarget {
   /** Finds the skin under a pointer. */
   readonly picker: {
     pick(ray: Ray): SkinHit | undefined
-    /** Texture coordinates under a ray. Only for the texture view, where strokes are straight. */
+    /**
+     * Returns the texture coordinates under a ray. Only the texture view has this function, for strokes that are straight in UV space between
+     * pointer events.
+     */
     uvOf?(ray: Ray): [u: number, v: number]
   }
   /** Visibility test. Absent if hidden skin is painted too. */
@@ -24,21 +27,21 @@ export interface PaintTarget {
 }
 
 export interface PaintToolParts {
-  /** Returns the target at the start of a stroke and on hover, or null if there is nothing to paint. */
+  /** Called at the start of a stroke and on hover. Returns the target, or null if there is nothing to paint. */
   target(): PaintTarget | null
-  /** Returns the preparation of the target, or null once it is ready. */
+  /** Returns a promise that settles when the target is ready, or null if there is nothing to wait for. */
   preparation(): Promise<unknown> | null
-  /** Called when painted weights changed. `showStroke` must be called before the next frame. */
+  /** Called when the stroke has changed weights. The receiver must call `showStroke` before it draws the next frame. */
   onPaint(): void
-  /** Shows temporary weights of an area, or its own weights again. */
+  /** Shows weights of an area on the face without changing the document. */
   show(area: string, weights: GrayImage): void
-  /** Stores the result of a stroke. */
+  /** Stores the result of a stroke in the document. */
   keep(area: string, weights: GrayImage): void
   /** Receives the skin under the pointer, or null. */
   onHit(hit: SkinHit | null): void
 }
 
-/** Paints an area with a brush. Off the face, or with Alt, the camera orbits. */
+/** Pointer tool that paints an area with a brush. If the pointer is not on the face or Alt is pressed, the camera orbits instead. */
 export class PaintTool implements StageTool {
   readonly #parts: PaintToolParts
   #stroke: { target: PaintTarget; brush: BrushStroke } | null = null
@@ -74,7 +77,7 @@ export class PaintTool implements StageTool {
     if (this.#isChanged) this.#parts.onPaint()
   }
 
-  /** Shows what the current stroke painted since the last call. */
+  /** Shows the result of the current stroke so far, if it has changed since the last call. */
   showStroke(): void {
     if (!this.#stroke || !this.#isChanged) return
     this.#isChanged = false

@@ -23,10 +23,9 @@ import type { TextureCamera } from './texture-camera.ts'
 import { TexturePicker } from './texture-picker.ts'
 import type { ToolHost } from './tool-host.ts'
 
-/** Factor of the brush radius per key press. */
+/** Factor by which a key press changes the brush radius. */
 const SIZE_STEP = 1.15
 
-/** Face in its current pose, for painting. */
 interface PaintedFace {
   readonly skin: PaintSkin
   readonly picker: SkinPicker
@@ -36,7 +35,7 @@ interface PaintedFace {
 /** Inputs for preparing the skin of the open face. */
 type OpenFace = Pick<StudioDocument, 'scale' | 'areaSize'> & Pick<OpenedAvatar['skins'][number], 'meshes'>
 
-/** Maximum number of vertices for preparing a skin in advance. Larger skins take hundreds of megabytes and may never be painted. */
+/** Maximum number of vertices of skins to prepare in advance. Larger skins need hundreds of megabytes. */
 const MAX_PREPARED = 500_000
 
 export const PAINT_SHAPES = ['brush', 'polygon'] as const
@@ -47,7 +46,7 @@ export interface PaintingParts {
   areas: AreaEditor
   viewer: ReadonlySignal<Viewer | null>
   host: ToolHost
-  /** Element below the brush outline. */
+  /** Element over which the outline of the brush is drawn. */
   stage: HTMLElement
   /** Requests the next frame. */
   wake(): void
@@ -55,11 +54,11 @@ export interface PaintingParts {
   attempt(task: () => unknown): unknown
 }
 
-/** Painting the chosen area on the face: the tools, the brush, and whether painting is on. */
+/** Lets the user paint the chosen area. Stores the tools and their settings. */
 export class Painting {
   readonly #parts: PaintingParts
   readonly #isOn = signal(false)
-  /** Brush tools with their pointer sources: the face and, if shown, the texture. */
+  /** Brush tools for the face and the texture. `host` sends pointer events to the tool. */
   readonly #tools: { tool: PaintTool; host: ToolHost }[] = []
   readonly #ring: BrushRing
   readonly #hit = signal<SkinHit | null>(null)
@@ -67,10 +66,10 @@ export class Painting {
   readonly #skinVersion = signal(0)
 
   readonly brush = signal<Brush>(BRUSH_DEFAULTS)
-  /** Shape painted on the face. */
+  /** Whether the user paints with a brush or with polygons. */
   readonly shape = signal<PaintShape>('brush')
   readonly polygon: PolygonPainting
-  /** Whether to paint skin hidden from the camera too. */
+  /** Whether to also paint skin that is hidden from the camera. */
   readonly isHiddenPainted = signal(false)
   /** Name of the painted area, or null while painting is off. */
   readonly area: ReadonlySignal<string | null> = computed(() =>
@@ -106,7 +105,7 @@ export class Painting {
     effect(() => {
       if (this.area.value !== null) void this.#preparation()
     })
-    // A stroke must not continue on weights that undo has replaced.
+    // Cancel the stroke, because undo may have replaced the weights that it changes.
     effect(() => {
       session.document.value
       if (this.area.peek() !== null) for (const { host } of this.#tools) host.cancel()
@@ -119,7 +118,6 @@ export class Painting {
     addEventListener('keydown', (event) => this.#onKey(event))
   }
 
-  /** Starts or stops painting. */
   set isOn(isOn: boolean) {
     this.#isOn.value = isOn
   }
@@ -129,7 +127,7 @@ export class Painting {
     return this.#hit
   }
 
-  /** Weights of the current stroke: a new object after each change, or null between strokes. */
+  /** Weights of the area including the current stroke. Each change creates a new object. Null between strokes. */
   get stroke(): ReadonlySignal<GrayImage | null> {
     return this.#stroke
   }
@@ -145,9 +143,9 @@ export class Painting {
   }
 
   /**
-   * Adds painting on the texture.
+   * Adds tools for painting on the texture.
    *
-   * @param host host with rays of the texture camera.
+   * @param host tool host whose rays come from the texture camera.
    * @param element element that shows the texture.
    */
   addTexture(host: ToolHost, element: HTMLElement, { camera }: TextureCamera): void {
@@ -157,20 +155,20 @@ export class Painting {
     this.#bind(host, this.polygon.addView({ element, camera: () => camera, target, positionOf }), 'polygon')
   }
 
-  /** Mirrors weights on the open face. */
+  /** Mirrors the weights of an area to the other side of the open face. */
   mirrored(weights: GrayImage): GrayImage {
     const open = this.#open()
     return open ? mirrorWeights(weights, posedSkinOf(open.meshes, open.scale).skin) : weights
   }
 
-  /** Updates overlays before a frame is drawn. */
+  /** Shows the current stroke and updates the outlines. Call before each frame. */
   advance(): void {
     for (const { tool } of this.#tools) tool.showStroke()
     this.#drawRing()
     this.polygon.advance()
   }
 
-  /** Prepares the skin of each face in advance, unless it is too large. Errors are shown when painting starts. */
+  /** Prepares the skin of each opened face in advance, unless it is too large. Errors are shown only when painting starts. */
   #prepareSkins(): void {
     const { viewer, session } = this.#parts
     const avatar = computed(() => viewer.value?.avatar)
@@ -192,7 +190,7 @@ export class Painting {
     this.#parts.wake()
   }
 
-  /** Returns the preparation of the skin, or null once it is ready. */
+  /** Returns a promise that settles when the skin is ready, or null if there is nothing to wait for. */
   #preparation(): Promise<unknown> | null {
     const open = this.#open()
     if (!open || preparedSkin(open.meshes, open.scale, open.areaSize)) return null
@@ -216,7 +214,7 @@ export class Painting {
     this.#bind(host, tool, shape)
   }
 
-  /** Activates a tool while its shape is chosen. */
+  /** Activates a tool while painting is on and `shape` is chosen. */
   #bind(host: ToolHost, tool: StageTool, shape: PaintShape): void {
     effect(() => {
       this.#parts.viewer.value
@@ -237,13 +235,13 @@ export class Painting {
     return { area, brush: this.brush.peek(), skin, picker, sight }
   }
 
-  /** The texture view paints hidden skin too. */
+  /** Returns a target without a visibility test, because painting on the texture includes hidden skin. */
   #targetOnTexture(): PaintTarget | null {
     const [area, face] = [this.#parts.areas.chosen.peek(), this.#face()]
     return area && face && { area, brush: this.brush.peek(), skin: face.skin, picker: face.texture }
   }
 
-  /** Face in its current pose, or null until its skin is ready. */
+  /** Returns the open face in its current pose, or null until its skin is ready. */
   #face(): PaintedFace | null {
     const open = this.#open()
     const made = open && preparedSkin(open.meshes, open.scale, open.areaSize)
@@ -262,7 +260,7 @@ export class Painting {
 
   #show(area: string, weights: GrayImage): void {
     const isKept = this.#parts.areas.chosen.peek()?.weights === weights
-    // A new object, because the data changes in place.
+    // Copy the object, because its data changes in place and signals compare identities.
     this.#stroke.value = isKept ? null : { ...weights }
     const wrinkles = this.#parts.viewer.peek()?.wrinkles
     if (wrinkles?.hasArea(area)) updateArea(wrinkles, area, weights)

@@ -4,7 +4,6 @@ export class PolygonOutline {
   readonly #line: SVGPolylineElement
   readonly #points: SVGGElement
 
-  /** @param stage element below the points. */
   constructor(stage: HTMLElement) {
     this.#svg = create('svg')
     this.#svg.classList.add('polygon-outline')
@@ -23,7 +22,7 @@ export class PolygonOutline {
         const circle = create('circle')
         circle.setAttribute('cx', x.toFixed(1))
         circle.setAttribute('cy', y.toFixed(1))
-        // The first point is larger: a click on it closes the polygon.
+        // The first point is larger, because a click on it closes the polygon.
         circle.setAttribute('r', i === 0 ? '6' : '3.5')
         return circle
       }),

@@ -9,23 +9,23 @@ import { Polygon } from './polygon.ts'
 import { PolygonOutline } from './polygon-outline.ts'
 import { PolygonTool } from './polygon-tool.ts'
 
-/** Default feather, millimetres. */
+/** Default width of the soft outline, millimetres. */
 const FEATHER = 4
 
-/** View for drawing a polygon: the face or its texture. */
+/** View in which the user can draw a polygon: the face or its texture. */
 export interface PolygonView {
-  /** Element below the polygon. */
+  /** Element over which the polygon is drawn. */
   element: HTMLElement
   camera(): Camera | null
   /** Returns null if there is nothing to paint. */
   target(): PaintTarget | null
-  /** Position of a skin point in the camera's space, or null if no face is open. */
+  /** Returns the position of a skin point in the scene of the camera, or null if no face is open. */
   positionOf(hit: SkinHit): Vector3 | null
 }
 
 export interface PolygonPaintingParts {
   brush: ReadonlySignal<Brush>
-  /** Returns the preparation of the skin, or null once it is ready. */
+  /** Returns a promise that settles when the skin is ready, or null if there is nothing to wait for. */
   preparation(): Promise<unknown> | null
   keep(area: string, painted: PaintTarget['area']['weights']): void
   /** Requests the next frame. */
@@ -33,14 +33,14 @@ export interface PolygonPaintingParts {
   attempt(task: () => void): unknown
 }
 
-/** Paints an area with polygons drawn on the skin, in any view. */
+/** Lets the user paint an area with polygons on the face or on its texture. */
 export class PolygonPainting {
   /** Width of the soft outline, millimetres. */
   readonly feather = signal(FEATHER)
   readonly #parts: PolygonPaintingParts
   readonly #polygon: Polygon
   readonly #views: { view: PolygonView; outline: PolygonOutline }[] = []
-  /** View of the last click. */
+  /** View in which the user clicked last. */
   #last: PolygonView | null = null
   readonly #count = signal(0)
 
@@ -53,7 +53,7 @@ export class PolygonPainting {
     addEventListener('keydown', (event) => this.#onKey(event))
   }
 
-  /** Number of points. */
+  /** Number of points of the unfinished polygon. */
   get count(): ReadonlySignal<number> {
     return this.#count
   }
@@ -73,7 +73,7 @@ export class PolygonPainting {
     })
   }
 
-  /** Paints the polygon's inside if it has enough points, and starts a new polygon. */
+  /** Paints the inside of the polygon and starts a new one. Does nothing if the polygon has too few points. */
   close(): void {
     const points = this.#polygon.take()
     if (points) this.#parts.attempt(() => this.#paint(points))

@@ -2,14 +2,14 @@ import type { SkinHit } from '../paint/picker.ts'
 import type { Polygon } from './polygon.ts'
 import type { StagePointer, StageTool } from './stage-tool.ts'
 
-/** Maximum distance from the first point for a click that closes the polygon, CSS pixels. */
+/** Maximum distance from the first point at which a click closes the polygon, CSS pixels. */
 const CLOSING = 12
 
 export interface PolygonToolParts {
   polygon: Polygon
   /** Returns the skin under a pointer. */
   pick(pointer: StagePointer): SkinHit | undefined
-  /** Returns the preparation of the skin, or null once it is ready. */
+  /** Returns a promise that settles when the skin is ready, or null if there is nothing to wait for. */
   preparation(): Promise<unknown> | null
   /** Projects a skin point to CSS pixels from the view's upper left corner. */
   project(hit: SkinHit): { x: number; y: number }
@@ -17,7 +17,10 @@ export interface PolygonToolParts {
   close(): void
 }
 
-/** Draws a polygon: a click adds a point, or closes the polygon at its first point. Off the skin, or with Alt, the camera moves. */
+/**
+ * Pointer tool that draws a polygon. A click adds a point. A click on the first point closes the polygon. If the pointer is not on the skin or
+ * Alt is pressed, the camera moves instead.
+ */
 export class PolygonTool implements StageTool {
   readonly #parts: PolygonToolParts
 
@@ -50,7 +53,7 @@ export class PolygonTool implements StageTool {
     else close()
   }
 
-  /** Removes the point being placed. */
+  /** Removes the point that the user is placing. */
   cancel(): void {
     this.#parts.polygon.placed = null
   }

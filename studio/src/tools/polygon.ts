@@ -1,30 +1,28 @@
 import type { SkinHit } from '../paint/picker.ts'
 
-/** Minimum number of points. */
 const MIN_POINTS = 3
 
-/** Points of an unfinished polygon on the skin, shared by all views. */
+/** Points of an unfinished polygon on the skin. The views of the face and of its texture share them. */
 export class Polygon {
   readonly #onChange: () => void
   #points: SkinHit[] = []
   #placed: SkinHit | null = null
 
-  /** @param onChange called when the points change. */
   constructor(onChange: () => void) {
     this.#onChange = onChange
   }
 
-  /** Points in click order, including the one being placed. */
+  /** Points in the order of the clicks. The last one can be `placed`. */
   get points(): readonly SkinHit[] {
     return this.#placed ? [...this.#points, this.#placed] : this.#points
   }
 
-  /** First point, where a click closes the polygon. Undefined while there are too few points. */
+  /** First point. A click on this point closes the polygon. Undefined while there are too few points. */
   get first(): SkinHit | undefined {
     return this.#points.length < MIN_POINTS ? undefined : this.#points[0]
   }
 
-  /** Point being placed, or null. */
+  /** Point under the pressed pointer, or null. Releasing the pointer adds it to the polygon. */
   get placed(): SkinHit | null {
     return this.#placed
   }
@@ -34,7 +32,6 @@ export class Polygon {
     this.#onChange()
   }
 
-  /** Adds the point being placed. */
   add(): void {
     if (this.#placed) this.#points.push(this.#placed)
     this.placed = null

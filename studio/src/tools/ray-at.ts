@@ -3,7 +3,7 @@ import { type Camera, Ray, Raycaster, Vector2 } from 'three'
 /**
  * Returns the world-space ray through a point of the stage.
  *
- * @param camera updated camera.
+ * @param camera camera with up-to-date matrices.
  * @param position CSS pixels from the stage's upper left corner.
  * @param size stage size, CSS pixels.
  */

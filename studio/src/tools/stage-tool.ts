@@ -1,6 +1,5 @@
 import type { Ray } from 'three'
 
-/** Pointer on the stage. */
 export interface StagePointer {
   /** Ray from the camera through the pointer, world space. */
   readonly ray: Ray
@@ -13,17 +12,16 @@ export interface StagePointer {
   readonly alt: boolean
 }
 
-/** Pointer tool of the stage. */
 export interface StageTool {
-  /** Returns a pending preparation, or null. Settling it, also with an error, replays the pointer events received meanwhile. */
+  /** Returns a promise that settles when the tool is ready, or null if there is nothing to wait for. Pointer events are delayed until then. */
   preparation?(): Promise<unknown> | null
-  /** @returns whether the tool captures the pointer until release; otherwise the camera orbits. */
+  /** Begins a gesture. Returns whether the tool captures the pointer until release. Otherwise, the camera orbits. */
   begin(pointer: StagePointer): boolean
   /** @param pointers all positions since the last call, in order. */
   move(pointers: readonly StagePointer[]): void
   end(): void
-  /** Aborts the gesture: Escape, a lost pointer, or another tool. */
+  /** Aborts the gesture, after Escape, a lost pointer or a change of the tool. */
   cancel(): void
-  /** Receives pointer moves without a pressed button, and null when the pointer leaves. */
+  /** Called when the pointer moves while no button is pressed, and with null when it leaves. */
   hover?(pointer: StagePointer | null): void
 }

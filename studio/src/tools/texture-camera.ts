@@ -2,20 +2,25 @@ import { MOUSE, OrthographicCamera, TOUCH, Vector3 } from 'three'
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js'
 import { shortcutOf } from '../shortcuts.ts'
 
-/** Initial border around the texture, and movement per key press at zoom 1, as fractions of the texture's side. */
+/** Border around the texture at zoom 1, as a fraction of the texture's width. */
 const BORDER = 0.04
+/** Movement per key press at zoom 1, as a fraction of the texture's width. */
 const STEP = 0.1
-/** Zoom factor per key press, and maximum zoom. */
+/** Zoom factor per key press. */
 const ZOOM_STEP = 1.25
 const MAX_ZOOM = 64
+/** If two consecutive points of a line are farther apart than this fraction of the texture's width, a UV seam is between them. */
+export const TEXTURE_JUMP = 0.02
 
-/** Placement of a texture on screen: texture coordinates at the centre (v down), and CSS pixels per side of the texture. */
+/** Position and size of a texture on screen. */
 export interface TextureFrame {
+  /** Texture coordinates at the centre of the view, v = 0 at the top. */
   centre: readonly [u: number, v: number]
+  /** Width of the texture, CSS pixels. */
   scale: number
 }
 
-/** Orthographic camera on a texture that spans 0..1 in x and 0..-1 in y. Controlled by pointer, wheel, pinch and keys. */
+/** Orthographic camera for a texture. The texture spans 0..1 in x and -1..0 in y. Pointer, wheel, pinch and keys control the camera. */
 export class TextureCamera {
   readonly camera = new OrthographicCamera()
   readonly #controls: OrbitControls
@@ -58,7 +63,6 @@ export class TextureCamera {
     this.#apply()
   }
 
-  /** Shows the complete texture. */
   reset(): void {
     this.camera.zoom = 1
     this.#moveTo(0.5, -0.5)

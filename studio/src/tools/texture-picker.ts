@@ -9,7 +9,7 @@ const CORNERS = [
   [0, 0, 1],
 ] as const
 
-/** Finds points of a skin under a pointer on its texture. */
+/** Finds the point of a skin under the pointer in the view of its texture. */
 export class TexturePicker {
   readonly #skin: PaintSkin
   readonly #posed: Pick<SkinPicker, 'positionOf'>
@@ -17,7 +17,7 @@ export class TexturePicker {
 
   /**
    * @param posed skin in its current pose.
-   * @param size side of the areas, texels.
+   * @param size width and height of the areas, texels.
    */
   constructor(skin: PaintSkin, posed: Pick<SkinPicker, 'positionOf'>, size: number) {
     this.#skin = skin
@@ -25,12 +25,12 @@ export class TexturePicker {
     this.#size = size
   }
 
-  /** Returns the texture coordinates of a `TextureCamera` ray, also outside the skin. */
+  /** Returns the texture coordinates that a ray of the `TextureCamera` hits, also outside the skin. */
   uvOf({ origin: { x, y } }: Ray): [u: number, v: number] {
     return [x, -y]
   }
 
-  /** @returns undefined outside the skin. If several parts of the skin share the texture, the first one. */
+  /** Returns the point of the skin that a ray hits, or undefined outside the skin. If several parts of the skin overlap, the first one counts. */
   pick(ray: Ray): SkinHit | undefined {
     const own = new Float64Array(3)
     const uv = this.uvOf(ray)

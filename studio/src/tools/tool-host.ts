@@ -8,21 +8,21 @@ export class ToolHost {
   readonly #stage: HTMLElement
   readonly #camera: () => Camera | null
   #tool: StageTool | null = null
-  /** Last event of the captured pointer. */
+  /** Last event of the pointer that the tool has captured, or null. */
   #taken: PointerEvent | null = null
-  /** Whether the tool's gesture has begun. */
+  /** Whether the tool has accepted the current gesture. */
   #isBegun = false
   /** Queued gesture steps while the tool is being prepared, otherwise null. */
   #queue: (() => void)[] | null = null
 
   /**
    * @param stage element that shows the face.
-   * @param camera null while nothing is shown.
+   * @param camera returns the camera, or null while no face is open.
    */
   constructor(stage: HTMLElement, camera: () => Camera | null) {
     this.#stage = stage
     this.#camera = camera
-    // Capture, to run before the listeners of the camera controls.
+    // Listen in the capture phase, before the listeners of the camera controls.
     stage.addEventListener('pointerdown', this.#onDown, { capture: true })
     stage.addEventListener('pointermove', this.#onMove, { capture: true })
     stage.addEventListener('pointerup', this.#onUp, { capture: true })
@@ -59,7 +59,7 @@ export class ToolHost {
     this.#stage.focus({ preventScroll: true })
   }
 
-  /** Returns whether the tool captures the pointer. Always true during a preparation. */
+  /** Begins a gesture, or queues it while the tool is being prepared. Returns whether to capture the pointer. */
   #begin(tool: StageTool, pointer: StagePointer): boolean {
     const waiting = this.#queue ? null : tool.preparation?.()
     if (waiting) this.#queueUntil(waiting)
@@ -82,7 +82,7 @@ export class ToolHost {
     waiting.then(flush, flush)
   }
 
-  /** Continues a gesture that has begun, now or after the preparation. */
+  /** Runs a step of the gesture if the tool has accepted the gesture. While the tool is being prepared, queues the step. */
   #continue(step: () => void): void {
     const own = () => {
       if (this.#isBegun) step()
@@ -91,7 +91,10 @@ export class ToolHost {
     else own()
   }
 
-  /** A second touch gives both touches to the camera and replays the first one's press. Other second pointers are ignored. */
+  /**
+   * Handles a second pointer during a gesture. A second touch cancels the gesture, and both touches move the camera. Therefore, this dispatches
+   * the press of the first touch again. Other pointers are ignored.
+   */
   #addPointer(taken: PointerEvent, second: PointerEvent): void {
     if (taken.pointerType !== 'touch' || second.pointerType !== 'touch') {
       second.stopImmediatePropagation()
@@ -123,7 +126,6 @@ export class ToolHost {
     this.#continue(() => this.#tool?.end())
   }
 
-  /** Aborts the current gesture. */
   cancel(): void {
     this.#queue = null
     if (!this.#taken) return
@@ -139,7 +141,7 @@ export class ToolHost {
     const [x, y] = [clientX - left, clientY - top]
     return {
       ray: rayAt(camera, [x, y], [width, height]),
-      // A mouse always reports 0.5.
+      // A mouse always reports a pressure of 0.5.
       pressure: pointerType === 'pen' ? pressure : 1,
       x,
       y,

@@ -1,7 +1,7 @@
 import { isWebGL } from '../../../stage/light.ts'
 import type { Renderer, RendererKind } from '../../../stage/stage.ts'
 
-/** Returns why a renderer is unavailable, or null if it is available. */
+/** Returns the reason why a renderer is unavailable, or null if it is available. */
 export async function unavailableReason(kind: RendererKind): Promise<string | null> {
   if (kind === 'webgl') return null
   if (!navigator.gpu) {
@@ -12,10 +12,10 @@ export async function unavailableReason(kind: RendererKind): Promise<string | nu
   return 'Studio: this browser supports WebGPU but finds no graphics adapter for it; the face stays on WebGL 2'
 }
 
-/** Cached adapter names: querying WebGL waits for pending draw calls, which can take a second. */
+/** Cached names of adapters. Asking WebGL for a name waits for pending draw calls, which can take a second. */
 const names = new WeakMap<Renderer, string>()
 
-/** Returns the driver's name of the graphics adapter. */
+/** Returns the name of the graphics adapter, as the graphics driver reports it. */
 export function adapterName(renderer: Renderer): string {
   const known = names.get(renderer)
   if (known !== undefined) return known

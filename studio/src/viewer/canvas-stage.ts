@@ -1,7 +1,7 @@
 import { isWebGL } from '../../../stage/light.ts'
 import { createStage, type RendererKind, type Stage } from '../../../stage/stage.ts'
 
-/** Canvas and its stage, reused by successive viewers. */
+/** Canvas with a stage (renderer, scene and camera). Successive viewers reuse it. */
 export interface CanvasStage {
   readonly canvas: HTMLCanvasElement
   readonly kind: RendererKind
@@ -15,7 +15,6 @@ export async function openCanvas(viewport: HTMLElement, kind: RendererKind): Pro
   return { canvas, kind, stage: await createStage(canvas, kind) }
 }
 
-/** Frees the GPU resources of a stage. */
 export function closeCanvas({ canvas, stage }: CanvasStage): void {
   const { renderer } = stage
   stage.dispose()

@@ -12,22 +12,23 @@ export interface LayerMaps {
   readonly roughness?: GrayImage
   readonly occlusion?: GrayImage
   readonly blood?: GrayImage
+  readonly onset?: GrayImage
 }
 
 /** Document with the maps of its layers, in layer order. */
 export interface DrawnDocument {
   readonly document: StudioDocument
   readonly maps: readonly LayerMaps[]
-  /** Changed texels since the previous document, for maps updated in place. */
+  /** For each layer whose maps were updated in place: the rectangles, in texels, that changed since the previous document. */
   readonly changes: ReadonlyMap<LayerMaps, readonly Bounds[]>
 }
 
-/** Shows a document on the face and applies only changes. */
+/** Shows the wrinkles of a document on the face. Applies only the changes since the last document. */
 export class DocumentView {
   #viewer: Viewer | null = null
   #shown: DrawnDocument | null = null
 
-  /** @throws FurrowError if the wrinkles do not fit the face, which is then shown plain. */
+  /** @throws FurrowError if the wrinkles do not fit the face. The face is then shown without wrinkles. */
   show(viewer: Viewer, drawn: DrawnDocument | null): void {
     const before = viewer === this.#viewer ? this.#shown : null
     this.#viewer = viewer
@@ -39,6 +40,7 @@ export class DocumentView {
     const { document, maps } = drawn
     if (before && viewer.wrinkles && canUpdate(before, drawn)) {
       updateMaps(viewer.wrinkles, drawn)
+      if (drawn.changes.size > 0) viewer.refreshOnset()
       scaleLayers(viewer.wrinkles, before.document, document)
       changeAreas(viewer, before.document, document)
       if (haveDriversChanged(before.document, document)) viewer.setDrivers(document.drivers)
@@ -50,7 +52,7 @@ export class DocumentView {
   }
 }
 
-/** Whether a document can be shown by updating texels, layer strengths, areas, weights, activations and drivers. */
+/** Whether the existing wrinkles can be updated to show another document. Otherwise, they must be created again. */
 function canUpdate(before: DrawnDocument, after: DrawnDocument): boolean {
   const old = new Map(before.document.areas.map((area) => [area.name, area]))
   return (
@@ -62,7 +64,7 @@ function canUpdate(before: DrawnDocument, after: DrawnDocument): boolean {
   )
 }
 
-/** Whether two layers differ only in strength. */
+/** Whether two layers have the same name and kind. Ignores strengths, because `scaleLayers` can update them. */
 function haveSameKind(a: StudioLayer, b: StudioLayer): boolean {
   return a.name === b.name && a.kind === b.kind
 }
@@ -71,7 +73,7 @@ function haveSameFields(a: StudioArea, b: StudioArea): boolean {
   return a.layer === b.layer && a.combine === b.combine
 }
 
-/** Whether drivers changed, or the area measured by a tension driver. */
+/** Whether the drivers changed, or a driver measures the tension of an area whose weights changed. */
 function haveDriversChanged(before: StudioDocument, after: StudioDocument): boolean {
   if (before.drivers !== after.drivers) return true
   const weights = ({ areas }: StudioDocument, area: string) =>
@@ -83,22 +85,22 @@ function haveDriversChanged(before: StudioDocument, after: StudioDocument): bool
 
 /** Uploads the changed rectangles. */
 function updateMaps(wrinkles: Wrinkles, { document, maps, changes }: DrawnDocument): void {
-  for (const [i, { name }] of document.layers.entries()) {
-    const { normal, occlusion } = maps[i]
-    for (const bounds of changes.get(maps[i]) ?? [])
-      updateLayer(wrinkles, name, { normal, occlusion: occlusion! }, bounds)
+  for (const [i, { name, isOnsetDrawn }] of document.layers.entries()) {
+    const { normal, occlusion, onset } = maps[i]
+    const drawn = { normal, occlusion: occlusion!, ...(onset && isOnsetDrawn && { onset }) }
+    for (const bounds of changes.get(maps[i]) ?? []) updateLayer(wrinkles, name, drawn, bounds)
   }
 }
 
 function scaleLayers(wrinkles: Wrinkles, before: StudioDocument, after: StudioDocument): void {
   for (const [i, layer] of after.layers.entries()) {
-    const { name, normalScale, occlusionStrength, bloodAmplitude = 0 } = layer
+    const { name, normalScale, occlusionStrength, bloodAmplitude = 0, onsetStrength = 1 } = layer
     if (layer !== before.layers[i])
-      scaleLayer(wrinkles, name, { normalScale, occlusionStrength, bloodAmplitude })
+      scaleLayer(wrinkles, name, { normalScale, occlusionStrength, bloodAmplitude, onsetStrength })
   }
 }
 
-/** Adds, updates and removes areas. Adds first, because wrinkles always need an area. */
+/** Adds, updates and removes areas. Removes areas last, because wrinkles always need at least one area. */
 function changeAreas(viewer: Viewer, before: StudioDocument, after: StudioDocument): void {
   if (before.areas === after.areas) return
   const old = new Map(before.areas.map((area) => [area.name, area]))
@@ -113,8 +115,8 @@ function changeAreas(viewer: Viewer, before: StudioDocument, after: StudioDocume
 }
 
 function engineLayer(layer: StudioLayer, maps: LayerMaps): Layer {
-  const { name, kind, normalScale, occlusionStrength, bloodAmplitude = 0 } = layer
-  return { name, kind, normalScale, occlusionStrength, bloodAmplitude, ...maps }
+  const { name, kind, normalScale, occlusionStrength, bloodAmplitude = 0, onsetStrength = 1 } = layer
+  return { name, kind, normalScale, occlusionStrength, bloodAmplitude, onsetStrength, ...maps }
 }
 
 function engineArea({ name, layer, combine, activation, weights }: StudioArea): Area {

@@ -5,10 +5,9 @@ import { type OpenedAvatar, openAvatar } from '../open/avatar.ts'
 /** Receives the fraction loaded so far, or null if the server does not send the size. */
 export type OnProgress = (fraction: number | null) => void
 
-/** Timeout without received data, milliseconds. */
+/** Time without received data after which a download fails, milliseconds. */
 const TIMEOUT = 30_000
 
-/** Lists the faces on the server. */
 export async function listFaces(): Promise<string[]> {
   const response = await fetch(absoluteUrl('faces/index.json'))
   const names = response.ok ? ((await response.json()) as string[]) : []
@@ -18,7 +17,6 @@ export async function listFaces(): Promise<string[]> {
   )
 }
 
-/** Fetches a face from the server. */
 export function fetchFace(name: string, onProgress: OnProgress): Promise<OpenedAvatar> {
   return fetchAvatar(absoluteUrl(`faces/${name}.glb`), onProgress)
 }
@@ -34,7 +32,6 @@ export async function fetchAvatar(address: string, onProgress: OnProgress): Prom
   return { ...(await openAvatar({ path, file: new File([blob], path) })), address }
 }
 
-/** Returns the last path segment of a URL. */
 export function fileNameOf(address: string): string {
   const name = new URL(address).pathname.split('/').at(-1)!
   try {

@@ -1,4 +1,4 @@
-/** Target of the pointer or the focus: an area, the slider of a blendshape, or a blendshape that the face shows. */
+/** Control under the pointer or with the focus: an area, the slider of a blendshape (`target`), or a recognised blendshape (`shape`). */
 export interface Hovered {
   kind: 'area' | 'target' | 'shape'
   name: string

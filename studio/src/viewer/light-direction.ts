@@ -1,6 +1,6 @@
 import { Vector3 } from 'three'
 
-/** Direction towards the light, degrees, as seen by a viewer of the face: to the right, and up. */
+/** Direction from the face to the light, degrees: `yaw` to the right as seen from the camera, `pitch` upwards. */
 export interface LightDirection {
   readonly yaw: number
   readonly pitch: number
@@ -26,9 +26,9 @@ export function lightFrom({ x, y, z }: Vector3): LightDirection {
 }
 
 /**
- * Returns the light direction for a point on a ball, the brightest one under that light.
+ * Returns the direction of the light under which a point on a ball is brightest. The control for the light shows such a ball.
  *
- * @param x distance to the right of the centre, 1 at the border. Clamped to the ball.
+ * @param x distance to the right of the centre, 1 at the border of the ball. Clamped to the ball.
  * @param y distance above the centre.
  */
 export function lightOnBall(x: number, y: number): LightDirection {
@@ -37,7 +37,7 @@ export function lightOnBall(x: number, y: number): LightDirection {
   return lightFrom(new Vector3(u, v, Math.sqrt(Math.max(0, 1 - u * u - v * v))))
 }
 
-/** Returns the point on the ball for a light, with coordinates as in `lightOnBall`. */
+/** Returns the point on the ball that is brightest under a light. This is the inverse of `lightOnBall`. */
 export function ballPoint(light: LightDirection): [x: number, y: number] {
   const { x, y } = lightPosition(light, new Vector3())
   return [x, y]

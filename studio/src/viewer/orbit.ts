@@ -4,13 +4,13 @@ import type { Stage } from '../../../stage/stage.ts'
 import type { ViewName } from '../../../stage/views.ts'
 import { type ShortcutName, shortcutOf } from '../shortcuts.ts'
 
-/** Seconds of a transition between views. */
+/** Duration of a transition between views, seconds. */
 const TRANSITION_TIME = 0.45
-/** Value for `OrbitControls`, where 1 is one turn per minute. */
+/** Speed of the turntable for `OrbitControls`, in turns per minute. */
 const TURNTABLE_SPEED = 4
-/** Radians per key press. */
+/** Rotation per key press, radians. */
 const ROTATION_STEP = Math.PI / 36
-/** Factor per key press. */
+/** Zoom factor per key press. */
 const ZOOM_STEP = 1.08
 
 /** Position and target of a camera. */
@@ -31,7 +31,7 @@ export class Orbit {
   #farthest = 0
   #view: ViewName | null = null
 
-  /** @param reducedMotion disables transitions and damping. */
+  /** @param reducedMotion whether to disable transitions and damping. */
   constructor(stage: Stage, element: HTMLElement, reducedMotion: boolean, onChange: () => void) {
     this.#stage = stage
     this.#element = element
@@ -57,7 +57,6 @@ export class Orbit {
     this.#controls.update()
   }
 
-  /** Whether the camera is still moving. */
   get isMoving(): boolean {
     return this.#transition !== null || !this.#atRest || this.#controls.autoRotate
   }
@@ -70,7 +69,7 @@ export class Orbit {
     if (isOn) this.#leaveView()
   }
 
-  /** Fixed view shown or approached, null after manual orbiting. */
+  /** Fixed view that the camera has or moves to. Null after the user has orbited the camera. */
   get view(): ViewName | null {
     return this.#view
   }
@@ -80,7 +79,7 @@ export class Orbit {
     if (this.#view) this.goTo(this.#view, immediate)
   }
 
-  /** @param immediate skips the transition, so that the next frame shows the view. */
+  /** Moves to a fixed view. @param immediate whether to skip the transition, so that the next frame shows the view. */
   goTo(name: ViewName, immediate = false): void {
     const from = this.pose
     const { camera } = this.#stage
@@ -92,7 +91,7 @@ export class Orbit {
     this.#view = name
   }
 
-  /** Restores a pose and view of another camera. */
+  /** Applies the pose and the fixed view of another `Orbit`. */
   restore(pose: Pose, view: ViewName | null): void {
     this.goTo(view ?? 'front', true)
     this.pose = pose
@@ -115,7 +114,7 @@ export class Orbit {
     this.#controls.dispose()
   }
 
-  /** Extends the zoom and depth ranges to cover every view visited so far. */
+  /** Extends the ranges of zoom and depth to include a camera distance. The ranges never shrink. */
   #extendRange(distance: number): void {
     const { camera } = this.#stage
     this.#nearest = Math.min(this.#nearest, distance * 0.25)
@@ -149,7 +148,7 @@ export class Orbit {
   }
 }
 
-/** Interpolates in spherical coordinates: the camera moves around the face, not through it. */
+/** Interpolates in spherical coordinates, so that the camera moves around the face and not through it. */
 function interpolatePose(from: Pose, to: Pose, t: number): Pose {
   const target = from.target.clone().lerp(to.target, t)
   const [a, b] = [from, to].map((pose) =>

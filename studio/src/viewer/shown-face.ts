@@ -9,11 +9,11 @@ import { Performer } from './pose/performer.ts'
 import { Staging } from './staging.ts'
 import type { Viewer } from './viewer.ts'
 
-/** Seconds of a transition between expressions. */
+/** Duration of a transition between expressions, seconds. */
 const EXPRESSION_TIME = 0.35
 
 export interface ShownFaceParts {
-  /** Null while another face is opened. */
+  /** Returns the viewer of the face, or null while another face is being opened. */
   live(): Viewer | null
   orbit(): Orbit | null
   messages: Messages
@@ -21,13 +21,12 @@ export interface ShownFaceParts {
   wake(): void
 }
 
-/** State and motion of the shown face, for the controls. */
+/** State and motion of the face on the stage. The controls show and change them. */
 export class ShownFace {
   /** Null before the first face is open. */
   readonly viewer = signal<Viewer | null>(null)
   readonly hovered: Signal<Hovered | null> = signal(null)
   readonly staging: Staging
-  /** Player of key frames. */
   readonly player: ClipPlayer
   readonly #parts: ShownFaceParts
   readonly #performer: Performer
@@ -54,17 +53,17 @@ export class ShownFace {
     })
   }
 
-  /** Incremented when a weight or an activation may have changed. */
+  /** Counter that increases when a weight or an activation may have changed. */
   get frame(): ReadonlySignal<number> {
     return this.#frame
   }
 
-  /** Incremented when the viewer's areas, mode or look change. */
+  /** Counter that increases when the viewer's areas, mode or look change. */
   get revision(): ReadonlySignal<number> {
     return this.#revision
   }
 
-  /** Expression shown or approached, null after a slider changed it. */
+  /** Expression that the face has or moves to. Null after a slider has changed the face. */
   get expression(): ReadonlySignal<string | null> {
     return this.#expression
   }
@@ -110,7 +109,6 @@ export class ShownFace {
       })
   }
 
-  /** Plays an expression. */
   play(name: string): void {
     this.change((viewer) => {
       this.#performer.settle()
@@ -135,7 +133,7 @@ export class ShownFace {
     })
   }
 
-  /** Changes sliders after finishing a transition. */
+  /** Finishes previews and transitions, and then changes sliders. */
   #set(write: () => void): void {
     this.change(() => {
       this.#finishMotion()
@@ -151,37 +149,37 @@ export class ShownFace {
     })
   }
 
-  /** Returns blendshape weights by dial name. */
+  /** Ends the preview of an area or blendshape. Then returns the weights of all blendshapes. The keys are their names. */
   pose(): Map<string, number> {
     this.settle()
     return new Map(this.#live?.targets.map((dial) => [dial.name, dial.read()]))
   }
 
-  /** Previews a hovered area or blendshape. */
+  /** Shows a preview of the area or blendshape under the pointer. Null ends the preview. */
   perform(hovered: Hovered | null): void {
     const shown = hovered?.kind === 'target' || this.player.isPlaying.peek() ? null : hovered
     untracked(() => this.#performer.request(shown))
   }
 
-  /** Ends a preview and restores the pose before it. */
+  /** Ends a preview and restores the pose that the face had before. */
   settle(): void {
     this.#performer.settle()
   }
 
-  /** Highlights the hovered area, the areas of a hovered blendshape, or else the painted area. */
+  /** Highlights the area under the pointer, the areas of the blendshape under the pointer, or otherwise the painted area. */
   highlight(painted: string | null): void {
     const [viewer, hovered] = [this.viewer.value, this.hovered.value]
     if (!viewer) return
     if (!hovered) viewer.highlight(painted === null ? [] : [painted])
     else if (hovered.kind === 'shape') viewer.highlight([])
     else if (hovered.kind === 'target') viewer.highlight(viewer.driven.drivenBy(hovered.name))
-    // The face shows the area by a preview, if possible.
+    // Do not highlight: the preview shows the wrinkles of the area.
     else if (painted === null && viewer.performanceOf(hovered.name)) viewer.highlight([])
     else viewer.highlight([hovered.name])
     this.#parts.wake()
   }
 
-  /** Finishes previews and transitions. Leaves a clip running. */
+  /** Finishes previews and transitions. A playing clip continues. */
   #finishMotion(): void {
     this.settle()
     this.#live?.advance(Number.POSITIVE_INFINITY)

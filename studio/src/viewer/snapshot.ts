@@ -2,9 +2,10 @@ import type { Orbit } from './orbit.ts'
 import type { Viewer } from './viewer.ts'
 
 /**
- * Captures the user's settings of a viewer. A different avatar keeps its own pose.
+ * Stores the user's settings of a viewer: pose, camera, mode and look.
  *
- * @returns steps that apply the settings to another viewer. Each can throw, for example if a mode is unsupported.
+ * @returns function that returns the steps to apply the settings to another viewer. The steps set the pose only if the viewer has the same
+ * avatar. Each step can throw, for example for an unsupported mode.
  */
 export function snapshot(viewer: Viewer, orbit: Orbit): (next: Viewer, nextOrbit: Orbit) => (() => void)[] {
   const { avatar, mode, look, driven } = viewer

@@ -6,7 +6,7 @@ import type { Viewer } from './viewer.ts'
 
 /** Default key light, at the upper left. */
 export const KEY_LIGHT: LightDirection = { yaw: -46, pitch: 44 }
-/** Grazing light that emphasises lines, from the side with wrinkles. */
+/** Light from the right at a grazing angle, which emphasises wrinkles. */
 const SIDE_LIGHT: LightDirection = { yaw: 72, pitch: 36 }
 
 export interface StagingParts {

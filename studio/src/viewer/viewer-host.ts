@@ -12,12 +12,11 @@ import { Orbit } from './orbit.ts'
 import { snapshot } from './snapshot.ts'
 import { Viewer } from './viewer.ts'
 
-/** Milliseconds. Two device losses within this time mean that WebGPU does not work. */
+/** If the WebGPU device is lost twice within this time, in milliseconds, the host opens WebGL instead. */
 const LOSS_WINDOW = 15_000
 
-const LOST = 'The graphics were lost and come back by themselves; the work is kept'
+const LOST = 'The graphics device was lost and is being restored; your work is kept'
 
-/** Dependencies of `ViewerHost`. */
 export interface HostParts {
   page: Page
   messages: Messages
@@ -30,19 +29,19 @@ export interface HostParts {
   onSettled(): void
 }
 
-/** Loads an avatar, given the current one. */
+/** Function that loads an avatar. Receives the current avatar, if there is one. */
 export type LoadAvatar = (shown: OpenedAvatar | undefined) => Promise<OpenedAvatar>
 
-/** Opens viewers one after the other: for another renderer or avatar, or after a lost graphics device. */
+/** Opens a viewer. Opens another viewer when the renderer or the avatar changes, or when the graphics device is lost. */
 export class ViewerHost {
   readonly #parts: HostParts
   #canvas: CanvasStage | null = null
   #viewer: Viewer | null = null
   #orbit: Orbit | null = null
-  /** Serialises renderer creation: each waits until the previous one has released its device. */
+  /** Promise of the last call of `open`. The next call waits for it, so that the old renderer releases its graphics device first. */
   #opening: Promise<unknown> = Promise.resolve()
   #lastLoss = Number.NEGATIVE_INFINITY
-  /** Aborts the event listeners of the current viewer. */
+  /** Aborting it removes the event listeners of the current viewer. */
   #watching = new AbortController()
 
   constructor(parts: HostParts) {
@@ -54,7 +53,6 @@ export class ViewerHost {
     return this.#viewer
   }
 
-  /** Camera controls of the current viewer. */
   get orbit(): Orbit | null {
     return this.#orbit
   }
@@ -103,7 +101,7 @@ export class ViewerHost {
     loop.start()
   }
 
-  /** Starts a renderer and falls back to WebGL. */
+  /** Starts a renderer. If WebGPU fails, starts WebGL. */
   async #openCanvas(kind: RendererKind): Promise<CanvasStage> {
     const { messages, page } = this.#parts
     if (this.#canvas) closeCanvas(this.#canvas)
@@ -118,7 +116,7 @@ export class ViewerHost {
     return this.#canvas
   }
 
-  /** Falls back to the previous avatar if the new one fails. */
+  /** Creates a viewer for an avatar. If that fails, shows the error and creates a viewer for the previous avatar. */
   #makeViewer(canvas: CanvasStage, avatar: OpenedAvatar, last: OpenedAvatar | undefined): Viewer {
     try {
       return new Viewer(canvas, avatar)
@@ -129,7 +127,7 @@ export class ViewerHost {
     }
   }
 
-  /** Disposes of the viewer and returns a function that restores its state on the next one. */
+  /** Disposes of the viewer, and returns a function that applies its settings to the next viewer. */
   #close(): ReturnType<typeof snapshot> | null {
     const [viewer, orbit] = [this.#viewer, this.#orbit]
     if (!viewer || !orbit) return null
@@ -143,7 +141,7 @@ export class ViewerHost {
     return state
   }
 
-  /** Restarts a lost device, or falls back to WebGL after two losses in a short time. */
+  /** Opens another viewer when the WebGPU device is lost. After two losses in a short time, opens WebGL. */
   #watch(viewer: Viewer): void {
     const { messages, loop } = this.#parts
     const { renderer } = viewer.stage
@@ -158,7 +156,7 @@ export class ViewerHost {
       if (this.#viewer !== viewer) return
       const isRepeated = performance.now() - this.#lastLoss < LOSS_WINDOW
       this.#lastLoss = performance.now()
-      const remedy = isRepeated ? 'the face is on WebGL now' : 'it was started again'
+      const remedy = isRepeated ? 'the studio now uses WebGL' : 'the device was started again'
       messages.error(`Studio: the graphics device was lost, got ${JSON.stringify(message)}; ${remedy}`)
       void this.open(isRepeated ? 'webgl' : 'webgpu')
     })

@@ -1,4 +1,12 @@
-import { type Area, driversOf, FurrowError, type WrinkleDriver } from 'furrow'
+import {
+  type Area,
+  type ArraySlice,
+  driversOf,
+  FurrowError,
+  type GrayImage,
+  type Layer,
+  type WrinkleDriver,
+} from 'furrow'
 import { addArea, removeArea, Wrinkles as WebGLWrinkles, type WrinkleMode } from 'furrow/three'
 import { Wrinkles as WebGPUWrinkles } from 'furrow/webgpu'
 import type { Mesh } from 'three'
@@ -8,7 +16,8 @@ import type { RendererKind, Stage, Wrinkles } from '../../../stage/stage.ts'
 import { faceOf, type OpenedAvatar } from '../open/avatar.ts'
 import { releaseFromGPU } from '../open/release.ts'
 import type { CanvasStage } from './canvas-stage.ts'
-import { type Look, Looks } from './looks/looks.ts'
+import type { Look } from './looks/look.ts'
+import { Looks } from './looks/looks.ts'
 import { Sides } from './looks/sides.ts'
 import { areaDials, type Dial, targetDials } from './pose/dials.ts'
 import { DrivenAreas } from './pose/driven-areas.ts'
@@ -16,7 +25,7 @@ import { FaceExpressions } from './pose/face-expressions.ts'
 import { MuscleTargets } from './pose/muscle-targets.ts'
 import { type Performance, performanceOf } from './pose/performance.ts'
 
-/** One avatar on one renderer's canvas: without wrinkles left of the divider, with wrinkles right of it. */
+/** Draws one avatar on a canvas. A vertical divider separates the plain face (left) from the face with wrinkles (right). */
 export class Viewer {
   readonly canvas: HTMLCanvasElement
   readonly kind: RendererKind
@@ -24,11 +33,13 @@ export class Viewer {
   readonly avatar: OpenedAvatar
   targets: readonly Dial[] = []
   areas: readonly Dial[] = []
-  /** Fraction of the width without wrinkles. */
+  /** Position of the divider, as a fraction of the canvas's width. */
   split = 0.5
-  /** Areas drawn as inactive. */
+  /** Names of the areas that are drawn as if inactive. */
   hidden: readonly string[] = []
   readonly driven = new DrivenAreas()
+  /** Onset maps that are images, not slices of KTX 2 files. The keys are names of layers. */
+  onsets: ReadonlyMap<string, GrayImage> = new Map()
 
   readonly #face: Face
   /** The skin's material without wrinkles, cloned for each `Looks`. */
@@ -43,7 +54,7 @@ export class Viewer {
   #highlighted: readonly string[] = []
   readonly #sides: Sides
 
-  /** Omits wrinkles that do not fit the face; see `error`. */
+  /** If the avatar's wrinkles do not fit the face, omits them and sets `error`. */
   constructor({ canvas, kind, stage }: CanvasStage, avatar: OpenedAvatar) {
     this.canvas = canvas
     this.kind = kind
@@ -59,12 +70,12 @@ export class Viewer {
     this.#addWrinkles(face.wrinkles)
   }
 
-  /** Null for a plain face. */
+  /** Wrinkles of the face, or null if it has none. */
   get wrinkles(): Wrinkles | null {
     return this.#wrinkles
   }
 
-  /** Why the avatar's wrinkles are not shown, or null. */
+  /** Reason why the avatar's wrinkles are not shown, or null. */
   get error(): Error | null {
     return this.#error
   }
@@ -72,7 +83,7 @@ export class Viewer {
   /**
    * Replaces the wrinkles of the face, or removes them. Keeps the mode, the look and activations set by hand.
    *
-   * @throws FurrowError if they do not fit. The face is then plain.
+   * @throws FurrowError if the wrinkles do not fit the face. The face then has no wrinkles.
    */
   setWrinkles(wrinkles: Face['wrinkles']): void {
     const before = new Map(this.areas.map(({ name, read }) => [name, read()]))
@@ -87,32 +98,32 @@ export class Viewer {
     this.look = this.#isPossible(look) ? look : { name: 'shaded' }
   }
 
-  /** Replaces the drivers. */
   setDrivers(drivers: readonly WrinkleDriver[]): void {
     this.#addMuscles(drivers)
     this.driven.setDrivers(drivers)
     this.#rebuildExpressions()
   }
 
-  /** Adds wrinkles to the plain face. */
+  /** Adds wrinkles to the face, which must have none. */
   #addWrinkles(wrinkles: Face['wrinkles']): void {
     this.#error = null
     this.#wrinkles = null
     this.#addMuscles(wrinkles?.drivers ?? [])
     try {
-      // No relief: it draws its own mesh, which looks, lines and brushes do not support.
+      // Disable relief, because it draws another mesh instead of the skin. Looks, lines and brushes work only on the skin.
       if (wrinkles) this.#wrinkles = this.stage.addWrinkles(this.#face, wrinkles, { relief: 'off' })
     } catch (error) {
       this.#error = error as Error
     }
     this.driven.attach(this.#wrinkles, wrinkles?.set.areas ?? [], wrinkles?.drivers ?? [])
-    const plain = cloned(this.#plain)
-    this.#looks = new Looks(this.#face, this.#wrinkles, plain, (mesh, own) => this.#createMirror(mesh, own))
+    this.onsets = onsetsOf(wrinkles?.set.layers ?? [])
+    const createMirror = (mesh: Mesh, own: Wrinkles) => this.#createMirror(mesh, own)
+    this.#looks = new Looks(this.#face, this.#wrinkles, cloned(this.#plain), createMirror, this.onsets)
     this.#rebuildAreas()
     this.driven.drive()
   }
 
-  /** Adds a blendshape per muscle. */
+  /** Adds a blendshape for each muscle, and makes a `Dial` (a number that a slider controls) for each blendshape. */
   #addMuscles(drivers: readonly WrinkleDriver[]): void {
     this.#muscles.update(driversOf('muscle', drivers))
     this.targets = targetDials(this.#face.root).map((dial) => ({
@@ -122,6 +133,7 @@ export class Viewer {
   }
 
   #isPossible(look: Look): boolean {
+    if (look.name === 'onset') return look.layer === undefined || this.onsets.has(look.layer)
     if (look.name !== 'influence' || look.area === undefined) return true
     return [look.area].flat().every((name) => this.#wrinkles?.hasArea(name))
   }
@@ -130,7 +142,7 @@ export class Viewer {
     return this.#mode
   }
 
-  /** @throws FurrowError if this face does not support the mode, which then stays as is. */
+  /** @throws FurrowError if this face does not support the mode. The mode then does not change. */
   set mode(mode: WrinkleMode) {
     if (this.wrinkles) this.wrinkles.mode = mode
     this.#mode = mode
@@ -141,12 +153,17 @@ export class Viewer {
     return this.#look
   }
 
+  /** Shows onset maps that were changed in place, if the look is `onset`. */
+  refreshOnset(): void {
+    if (this.#look.name === 'onset') this.#choose(this.#look)
+  }
+
   set look(look: Look) {
     this.#choose(look)
     this.#look = look
   }
 
-  /** Highlighted areas have precedence over the look. */
+  /** Applies a look, or shows the highlighted areas if there are any. */
   #choose(look: Look): void {
     const area = this.#highlighted.filter((name) => this.#wrinkles?.hasArea(name))
     this.#looks.choose(area.length > 0 ? { name: 'marked', area } : look)
@@ -158,7 +175,7 @@ export class Viewer {
     this.#choose(this.#look)
   }
 
-  /** Returns the pose that shows an area, or null if no blendshape does. */
+  /** Returns a pose that shows an area, or null if no expression or blendshape activates the area. */
   performanceOf(area: string): Performance | null {
     const names = this.targets.map(({ name }) => name)
     return performanceOf(area, this.driven.drivers.list, this.#expressions.list, names)
@@ -183,16 +200,16 @@ export class Viewer {
     if (this.isMoving) this.#moveFace(() => this.#expressions.advance(delta))
   }
 
-  /** Moves joints and blendshapes without the dials, and updates the driven areas. */
+  /** Runs a function that moves joints and blendshapes directly. Then updates the driven areas. */
   move(change: () => void): void {
     this.driven.applyChange(() => {
       change()
-      // Joint inputs read world matrices.
+      // Drivers that read joints need current world matrices.
       this.avatar.root.updateMatrixWorld()
     })
   }
 
-  /** @throws FurrowError if the area cannot be added, and then changes nothing. */
+  /** @throws FurrowError if the area cannot be added. The face then does not change. */
   addArea(area: Area): void {
     if (!this.wrinkles) throw noWrinklesError(area.name)
     addArea(this.wrinkles, area)
@@ -230,7 +247,7 @@ export class Viewer {
     releaseFromGPU(this.avatar.root)
   }
 
-  /** Moves the face by an expression. Areas set by expressions do not follow their drivers. */
+  /** Runs a function that moves the face by an expression. Then updates the driven areas, except areas that expressions set. */
   #moveFace(play: () => void): void {
     this.driven.applyChange(play, (area) => !this.#expressions.setsArea(area))
   }
@@ -262,10 +279,18 @@ function cloned(material: Mesh['material']): Mesh['material'] {
   return Array.isArray(material) ? material.map((each) => each.clone()) : material.clone()
 }
 
+function onsetsOf(layers: readonly Layer<ArraySlice>[]): ReadonlyMap<string, GrayImage> {
+  return new Map(
+    layers.flatMap(({ name, onset }): [string, GrayImage][] =>
+      onset && 'data' in onset ? [[name, onset]] : [],
+    ),
+  )
+}
+
 function noWrinklesError(area: string): FurrowError {
   return new FurrowError({
     who: 'Studio',
-    problem: 'the face has no wrinkles for an area to show',
+    problem: 'the face has no wrinkles, so no area can be added',
     value: area,
     remedy: 'drop an avatar with wrinkles, or a folder of wrinkles, first',
   })

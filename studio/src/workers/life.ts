@@ -1,6 +1,6 @@
 /**
- * Detection of dead workers. Browsers can end workers without an event, for example when memory runs out, but then release their locks. Each
- * worker holds a lock, and the page waits for that lock.
+ * Detects dead workers. A browser can end a worker without an event, for example when memory runs out. But it always releases the worker's
+ * locks. So each worker holds a lock, and the page waits for this lock. If the page gets the lock, the worker is dead.
  */
 
 /** First message of a worker: the name of its lock. */
@@ -8,7 +8,7 @@ interface Alive {
   lock: string
 }
 
-/** Holds a lock in a worker, so that the page detects its end. On insecure pages, which lack locks, the page detects only errors. */
+/** Called by a worker: holds a lock until the worker dies. On insecure pages, which have no locks, only errors are detected. */
 export function holdLifeLock(): void {
   if (globalThis.navigator?.locks === undefined) return
   const lock = crypto.randomUUID()
@@ -20,10 +20,11 @@ export function holdLifeLock(): void {
 }
 
 /**
- * Returns a promise that rejects if a worker cannot be loaded or dies. Call in the task that created the worker.
+ * Returns a promise that rejects if a worker cannot be loaded or dies. Call it in the event-loop task that creates the worker,
+ * so that it misses no event.
  *
- * @param makeError makes the error from the browser's reason, if any.
- * @param signal ends the wait. The promise then rejects with its reason.
+ * @param makeError makes the error. Receives the browser's error message, if there is one.
+ * @param signal aborting it ends the detection. The promise then rejects with the signal's reason.
  */
 export function deathOf(
   worker: Worker,
@@ -45,13 +46,13 @@ export function deathOf(
       'message',
       ({ data }: MessageEvent<Partial<Alive>>) => {
         if (data?.lock === undefined) return
-        // The request rejects when `signal` aborts. `end` reports that.
+        // The request rejects when `signal` aborts. Ignore this, because `end` also rejects.
         navigator.locks.request(data.lock, { signal }, () => reject(makeError(undefined))).catch(() => {})
       },
       { signal },
     )
   })
-  // Prevent an unhandled rejection if the caller only races this promise.
+  // The promise may reject after the caller's `Promise.race` has ended. This handler prevents an unhandled rejection then.
   end.catch(() => {})
   return end
 }

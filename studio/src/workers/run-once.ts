@@ -2,10 +2,10 @@ import { type Remote, wrap } from 'comlink'
 import { deathOf } from './life.ts'
 
 /**
- * Runs one task in a worker and terminates the worker. Call in the task that created the worker.
+ * Runs one task in a worker and terminates the worker. Call immediately after creating the worker.
  *
- * @param makeError makes the error for a dead worker from the browser's reason, if any.
- * @param signal aborting terminates the worker; the promise rejects with the signal's reason.
+ * @param makeError makes the error if the worker dies. Receives the browser's error message, if there is one.
+ * @param signal aborting it terminates the worker. The promise then rejects with the signal's reason.
  */
 export async function runOnce<Service, T>(
   worker: Worker,

@@ -7,10 +7,10 @@ import { palePicture } from '../../texture/pale-picture.ts'
 import { cropOf, shrink } from '../../texture/thumbnail.ts'
 import type { PanelModel } from '../model.ts'
 
-/** Side, device pixels: two per CSS pixel. */
+/** Width and height of a thumbnail, device pixels, for screens with 2 device pixels per CSS pixel. */
 const SIDE = 56
 
-/** Thumbnail of an area on the skin's texture. Drawn one at a time, because a face has dozens of areas. */
+/** Thumbnail of an area on the skin's texture. Thumbnails are drawn one at a time, because a face has dozens of areas. */
 export function AreaThumbnail({ name, model }: { name: string; model: PanelModel }) {
   const canvas = useRef<HTMLCanvasElement>(null)
   const avatar = model.viewer.value?.avatar

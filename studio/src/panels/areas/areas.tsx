@@ -17,7 +17,7 @@ export function Areas({ model }: { model: PanelModel }) {
   const dials = sortDials(viewer.value?.areas ?? [], document)
   const list = useRef<HTMLDivElement>(null)
   const removed = useRef(-1)
-  // The focus stays at the same index after a row is removed.
+  // After a row is removed, focus the row that now has its index.
   useLayoutEffect(() => {
     if (removed.current < 0) return
     const buttons = list.current!.querySelectorAll<HTMLButtonElement>('.remove')
@@ -70,13 +70,12 @@ export function Areas({ model }: { model: PanelModel }) {
   )
 }
 
-/** Explains the drivers of the hovered area. */
+/** Explains the drivers of the area under the pointer. */
 function Explanation({ model }: { model: PanelModel }) {
   const { kind, name } = model.hovered.value ?? {}
   return kind === 'area' && name !== undefined ? <Reasons area={name} model={model} /> : null
 }
 
-/** Sorts dials in the order of the document's areas. */
 function sortDials(dials: readonly Dial[], document: StudioDocument | null): readonly Dial[] {
   if (!document) return dials
   const index = new Map(document.areas.map(({ name }, i) => [name, i]))
@@ -107,7 +106,7 @@ function ChooseArea({ name, model }: { name: string; model: PanelModel }) {
         checked={areas.chosen.value?.name === name}
         onChange={() => areas.choose(name)}
         onFocus={({ currentTarget }) => {
-          // Keyboard focus only: the pointer already hovers at a click.
+          // Ignore focus by a click. The pointer is then already on the area.
           if (currentTarget.matches(':focus-visible')) point(true)
         }}
         onBlur={() => {
@@ -119,7 +118,7 @@ function ChooseArea({ name, model }: { name: string; model: PanelModel }) {
   )
 }
 
-/** Solo and mute, which change the view and not the document. */
+/** Buttons for solo and mute, which change the face on the stage but not the document. */
 function ShownToggles({ name, areas }: { name: string; areas: AreaEditor }) {
   return (
     <>
@@ -165,7 +164,7 @@ function AddAreas({ model: { session, areas, actions } }: { model: PanelModel })
             aria-describedby="add-hint"
             onChange={({ currentTarget }) => {
               actions.addAreaImages([...currentTarget.files!], isPaper.value ? 'paper' : 'weight')
-              // Otherwise choosing the same file again would not fire a change event.
+              // Without this, the browser sends no change event if the user chooses the same file again.
               currentTarget.value = ''
             }}
           />

@@ -10,7 +10,6 @@ const COMBINATIONS: readonly { value: StudioArea['combine']; label: string }[] =
   { value: 'max', label: 'Maximum' },
 ]
 
-/** Controls of the chosen area. */
 export function ChosenArea({ model }: { model: PanelModel }) {
   const { areas, actions } = model
   const area = areas.chosen.value
@@ -30,7 +29,7 @@ export function ChosenArea({ model }: { model: PanelModel }) {
             value={name}
             onChange={({ currentTarget }) => {
               areas.rename(name, currentTarget.value)
-              // Restore the name if it was rejected as taken.
+              // If another area has the new name, show the old name again.
               currentTarget.value = areas.chosen.peek()?.name ?? name
             }}
           />
@@ -40,7 +39,7 @@ export function ChosenArea({ model }: { model: PanelModel }) {
           <label for={`${id}-combine`}>Overlap</label>
           <select
             id={`${id}-combine`}
-            title="How its influence and that of other areas of its layer make one"
+            title="How this area combines with other areas of its layer"
             value={area.combine}
             onChange={({ currentTarget }) =>
               areas.set(name, { combine: currentTarget.value as StudioArea['combine'] })
@@ -55,7 +54,7 @@ export function ChosenArea({ model }: { model: PanelModel }) {
         </div>
       </div>
       <div class="row number">
-        <label for={`${id}-rest`} title="Activation where nothing moves the area">
+        <label for={`${id}-rest`} title="Activation while nothing else activates the area">
           At rest
         </label>
         <input
@@ -82,7 +81,7 @@ export function ChosenArea({ model }: { model: PanelModel }) {
         </button>
         <button
           type="button"
-          title="Show it on the other side of the face too"
+          title="Add or replace the mirror image of this area"
           onClick={() => areas.mirror(name, (weights) => model.painting.mirrored(weights))}
         >
           Mirror
@@ -98,14 +97,14 @@ export function ChosenArea({ model }: { model: PanelModel }) {
   )
 }
 
-/** Replaces the painted weights by an image. */
+/** File input that replaces the weights of an area by an image. */
 function FromImage({ name, model: { areas, actions } }: { name: string; model: PanelModel }) {
   const fill = async (file: File) => {
     const { weights } = await readArea(file, areas.isPaper.peek() ? 'paper' : 'weight')
     areas.fill(name, weights)
   }
   return (
-    <label class="file" title="A gray image in the place of what is painted">
+    <label class="file" title="Replace the painted weights by a gray image">
       <input
         type="file"
         accept="image/*"

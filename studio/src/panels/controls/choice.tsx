@@ -5,18 +5,17 @@ interface ChoiceProps<T extends string> {
   label: string
   options: readonly { value: T; label: string; title?: string }[]
   value: T
-  /** Number of columns. Default: all options in one row. */
+  /** Maximum number of columns. Default: all options in one row. */
   columns?: number
   onChange(value: T): void
 }
 
-/** Group of radio buttons. */
 export function Choice<T extends string>({ label, options, value, columns, onChange }: ChoiceProps<T>) {
   const name = useId()
   return (
     <LabelledGroup label={label}>
       <div
-        class={columns ? 'segments grid' : 'segments'}
+        class={columns ? 'segments wrapped' : 'segments'}
         style={columns === undefined ? undefined : { '--columns': columns }}
       >
         {options.map((option) => (

@@ -8,7 +8,7 @@ interface LabelledGroupProps {
   children: ComponentChildren
 }
 
-/** Labelled group of controls. Not a `legend`: WebKit places it above a fieldset's grid. */
+/** Labelled group of controls. The label is not a `legend`, which WebKit would place above the grid. */
 export function LabelledGroup({ label, class: name = 'setting', children }: LabelledGroupProps) {
   const id = useId()
   return (

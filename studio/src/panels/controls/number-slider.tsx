@@ -4,7 +4,7 @@ interface NumberSliderProps {
   label: string
   /** Minimum, maximum, step. */
   range: readonly [number, number, number]
-  /** Value, may exceed the range. */
+  /** Value. It can be outside the range. */
   value: number
   /** Displayed value with unit. Default: the number. */
   text?: string
@@ -12,7 +12,6 @@ interface NumberSliderProps {
   onRest?(value: number): void
 }
 
-/** Labelled slider for a number. */
 export function NumberSlider({
   label,
   range: [min, max, step],

@@ -4,16 +4,14 @@ interface SectionProps {
   title: string
   /** Id of the contained list or fieldset. */
   id?: string
-  /** Content beside the title: buttons, counts. */
+  /** Content beside the title, such as buttons or counts. */
   aside?: ComponentChildren
   /** Whether the section is initially open. */
   open?: boolean
-  /** Called when the section is opened or closed. */
   onToggle?(isOpen: boolean): void
   children: ComponentChildren
 }
 
-/** Collapsible section of the panel. */
 export function Section({ title, id, aside, open = true, onToggle, children }: SectionProps) {
   return (
     <details class="section" open={open} onToggle={({ currentTarget }) => onToggle?.(currentTarget.open)}>

@@ -6,21 +6,20 @@ import type { Dial } from '../../viewer/pose/dials.ts'
 
 interface SliderProps {
   dial: Dial
-  /** Changes when the dial's value may have changed. */
+  /** Signal that changes when the dial's value may have changed. */
   frame: ReadonlySignal<number>
   onInput(dial: Dial, value: number): void
   /** Called with the dial when the mouse enters its label, and with null when the mouse leaves. */
   onHover?(dial: Dial | null): void
-  /** Whether the dial is related to the hovered item. */
+  /** Whether the dial is related to the item under the pointer. */
   linked?: boolean
   isHidden?: boolean
-  /** Content before the label. */
   before?: ComponentChildren
-  /** Content after the value: buttons. */
+  /** Content after the value, such as buttons. */
   children?: ComponentChildren
 }
 
-/** Labelled slider of a dial. Value changes update the DOM without rendering the component. */
+/** Labelled slider for a dial. If the value changes, updates the DOM without rendering the component. */
 export function Slider({
   dial,
   frame,
@@ -35,7 +34,7 @@ export function Slider({
   const [start, side] = splitSide(dial.name)
   const input = useRef<HTMLInputElement>(null)
   const output = useRef<HTMLOutputElement>(null)
-  // Not `useSignalEffect`, which waits for the next frame.
+  // `useSignalEffect` would wait for the next frame.
   useLayoutEffect(() => {
     return effect(() => {
       frame.value
@@ -57,7 +56,7 @@ export function Slider({
       <label
         for={id}
         title={dial.name}
-        // Only mouse movement hovers. Touches and scrolling below a still mouse do not.
+        // Ignore touches, and events that scrolling causes while the mouse rests.
         onPointerMove={({ pointerType, movementX, movementY }) => {
           if (pointerType === 'mouse' && (movementX !== 0 || movementY !== 0)) hover(true)
         }}
@@ -79,7 +78,7 @@ export function Slider({
           showNumber(currentTarget, output.current!, dial.read())
         }}
       />
-      {/* Screen readers announce the input's value; announcing the output too would drown everything else. */}
+      {/* Screen readers announce the value of the input. They must not also announce each change of the output. */}
       <output ref={output} for={id} aria-live="off" />
       {children}
     </div>

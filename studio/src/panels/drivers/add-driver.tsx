@@ -15,7 +15,7 @@ interface AddDriverProps {
   onAdd(driver: WrinkleDriver): void
 }
 
-/** Select for a new driver. Types that the face does not support are disabled. */
+/** Select for the type of a new driver. Types that the face does not support are disabled. */
 export function AddDriver({ document, context, onAdd }: AddDriverProps) {
   const id = useId()
   const type = useSignal<AreaDriverType>('morph')
@@ -55,7 +55,7 @@ export function AddDriver({ document, context, onAdd }: AddDriverProps) {
   )
 }
 
-/** Collects inputs for new drivers. The muscle is computed on demand, because it is slow. */
+/** Collects the inputs that new drivers can have. Computes a muscle only when it is needed, because this is slow. */
 function drivable({ model, area, targets, pose }: DriverContext, document: StudioDocument): Drivable {
   const { avatar } = model.viewer.peek()!
   return {

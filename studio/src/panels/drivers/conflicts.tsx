@@ -5,7 +5,7 @@ import { conflictsOf } from '../../document/driver-problems.ts'
 import type { DriverContext } from './context.ts'
 import { NameSelect, optionsOf } from './fields.tsx'
 
-/** Pairs of blendshapes that cancel each other, such as raising and lowering a brow. */
+/** List of conflicts: pairs of blendshapes that cancel each other, such as raising and lowering a brow. */
 export function Conflicts({ context }: { context: DriverContext }) {
   const { model, editor, area, targets } = context
   const drivers = model.session.document.value?.drivers ?? []
@@ -85,7 +85,7 @@ function Conflict({ index, driver, context: { model, editor, targets, slow } }: 
   )
 }
 
-/** Name parts of opposite blendshapes. */
+/** Parts of blendshape names and their opposites. Replacing a part by its opposite gives the name of an opposite blendshape. */
 const OPPOSITES: readonly (readonly [RegExp, string])[] = [
   [/^browInnerUp$/, 'browDownLeft'],
   [/^browOuterUp/, 'browDown'],
@@ -98,7 +98,7 @@ const OPPOSITES: readonly (readonly [RegExp, string])[] = [
   [/^mouthPucker$/, 'mouthStretchLeft'],
 ]
 
-/** Suggests an opposite blendshape of this face, or else any other one. */
+/** Suggests the opposite of a blendshape, if the face has it. Otherwise suggests the first blendshape with another name. */
 function oppositeOf(name: string, targets: readonly string[]): string {
   const known = OPPOSITES.find(([part]) => part.test(name))
   const opposite = known && name.replace(...known)

@@ -15,7 +15,7 @@ import { type ShortcutName, shortcutOf } from '../../shortcuts.ts'
 import { type Axis, textOn } from './axes.ts'
 import { NumberField } from './number-field.tsx'
 
-/** Size in SVG units, scaled to the panel's width. */
+/** Size in SVG units. The picture is scaled to the width of the panel. */
 const WIDTH = 280
 const HEIGHT = 124
 const MARGIN = { side: 10, top: 10, bottom: 22 }
@@ -25,9 +25,9 @@ interface CurveEditorProps {
   label: string
   curve: Readonly<Curve>
   axis: Axis
-  /** Minimum and maximum of typed outputs. */
+  /** Range of the outputs that the user can type. */
   outputs: Range
-  /** Current input, or null if unknown. */
+  /** Current input of the curve, or null if unknown. */
   now: ReadonlySignal<number | null>
   /** Called while a point moves. */
   onMove(curve: Curve): void
@@ -36,8 +36,8 @@ interface CurveEditorProps {
 }
 
 /**
- * Curve editor. Points are dragged by pointer and moved with arrow keys; a double click or a button adds one. A marker shows the
- * current input and updates the DOM without rendering.
+ * Editor for a curve. The curve maps an input of a driver to an activation. The pointer or arrow keys move points. A double click or a button adds
+ * a point. A marker shows the current input. When the marker moves, only the DOM changes, and the component is not rendered.
  */
 export function CurveEditor({ label, curve, axis, outputs, now, onMove, onRest }: CurveEditorProps) {
   const dragged = useSignal<{ index: number; ranges: CurveRanges; grip: readonly [number, number] } | null>(
@@ -182,7 +182,7 @@ const MOVES: Record<Exclude<ShortcutName<'curve'>, 'remove'>, readonly [number, 
   up: [0, 1],
 }
 
-/** Mapping between curve values and SVG units. */
+/** Functions that convert between values of the curve and SVG units. */
 interface Plot {
   x(input: number): number
   y(output: number): number
@@ -202,7 +202,6 @@ function plotOf({ input: [left, right], output: [bottom, top] }: CurveRanges): P
   }
 }
 
-/** Converts a pointer position to SVG units. */
 function pointIn(svg: SVGSVGElement, { clientX, clientY }: MouseEvent): [number, number] {
   const { left, top, width, height } = svg.getBoundingClientRect()
   return [((clientX - left) / width) * WIDTH, ((clientY - top) / height) * HEIGHT]
@@ -217,7 +216,7 @@ function widened([low, high]: Range, value: number): Range {
   return [Math.min(low, value), Math.max(high, value)]
 }
 
-/** Returns the polyline of a curve, constant beyond its ends. */
+/** Returns the polyline of a curve. Beyond its ends, the curve is constant. */
 function lineOf(curve: Readonly<Curve>, plot: Plot, [left, right]: Range): string {
   const points = [[left, curveAt(curve, left)], ...curve, [right, curveAt(curve, right)]]
   return points.map(([input, output]) => `${plot.x(input)},${plot.y(output)}`).join(' ')

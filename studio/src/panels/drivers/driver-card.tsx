@@ -9,7 +9,7 @@ interface DriverCardProps extends FormProps<WrinkleDriver> {
   open: boolean
 }
 
-/** One driver: its type, its current contribution, and a collapsible form. */
+/** Card for one driver: its type, its current contribution, and a collapsible form. */
 export function DriverCard({ driver, index, context, problem, open }: DriverCardProps) {
   const { slow, editor } = context
   const given = useComputed(() => slow.value[index]?.activation.toFixed(2) ?? '')
@@ -19,7 +19,7 @@ export function DriverCard({ driver, index, context, problem, open }: DriverCard
       <summary>
         <b>{type?.label ?? driver.type}</b>
         <span class="reads">{type?.reads?.(driver)}</span>
-        <output class="part" title="What it gives now" aria-live="off">
+        <output class="part" title="Current contribution" aria-live="off">
           {given}
         </output>
       </summary>

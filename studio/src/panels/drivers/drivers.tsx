@@ -11,7 +11,7 @@ import type { DriverContext } from './context.ts'
 import { DriverCard } from './driver-card.tsx'
 import { useThrottled } from './throttled.ts'
 
-/** Weights up to this value count as unset. */
+/** A blendshape whose weight is at most this counts as not set. */
 const UNSET = 0.01
 
 /** Drivers of an area with their current contributions, and conflicts between their blendshapes. */
@@ -62,7 +62,7 @@ export function Drivers({ model, area }: { model: PanelModel; area: string }) {
           {sum}
         </output>
       </summary>
-      {own.length === 0 && <p class="hint">Nothing moves this area but its slider. Add what should.</p>}
+      {own.length === 0 && <p class="hint">Only its slider moves this area. Add a driver.</p>}
       {own.map(({ driver, index }) => (
         <DriverCard
           key={`${index} ${driver.type}`}
@@ -86,7 +86,7 @@ export function Drivers({ model, area }: { model: PanelModel; area: string }) {
   )
 }
 
-/** Whether a driver activates an area, or an expression names it. */
+/** Whether a driver activates an area, or is an expression that names the area. */
 function isRelevant(driver: WrinkleDriver, area: string): boolean {
   if (driver.type !== 'expression') return areaOf(driver) === area
   return (driver as ExpressionDriver).activations.some((each) => each.area === area)

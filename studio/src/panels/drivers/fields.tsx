@@ -58,7 +58,7 @@ interface NameSelectProps extends Omit<SelectFieldProps, 'label'> {
   label?: string
 }
 
-/** Select for a name. Also lists the current value if the face lacks it. */
+/** Select for a name. Lists the current value too, even if the face lacks it. */
 export function NameSelect({ id, label, value, options, onChange }: NameSelectProps) {
   const isKnown = options.some(([each]) => each === value)
   return (
@@ -79,7 +79,7 @@ export function NameSelect({ id, label, value, options, onChange }: NameSelectPr
   )
 }
 
-/** Makes options whose label is their value. */
+/** Makes options whose labels are equal to their values. */
 export function optionsOf(names: readonly string[]): (readonly [string, string])[] {
   return names.map((name) => [name, name])
 }
@@ -106,7 +106,7 @@ interface VectorSettingProps {
   label: string
   value: readonly [number, number, number]
   step: number
-  /** Factor from stored to displayed numbers. */
+  /** Factor by which stored numbers are multiplied for display. */
   factor?: number
   unit?: string
   onChange(value: [number, number, number]): void
@@ -137,7 +137,7 @@ interface DriverCurveProps {
   axis: Axis
 }
 
-/** Curve from a driver's input to its activation. */
+/** Editor for the curve that maps a driver's input to its activation. */
 export function DriverCurve({ index, context: { editor, now, slow }, curve, axis }: DriverCurveProps) {
   const input = useComputed(() => now.value[index]?.combined ?? null)
   return (
@@ -162,7 +162,7 @@ interface ReadingProps {
   axis: Axis
 }
 
-/** Current input and output of the curve, as text. */
+/** Text with the current input and output of the curve. */
 function Reading({ contributions, index, axis }: ReadingProps) {
   const text = useComputed(() => {
     const now = contributions.value[index]

@@ -3,14 +3,13 @@ import type { Axis } from './axes.ts'
 import type { DriverContext } from './context.ts'
 
 interface InputSliderProps {
-  /** Input name. */
   name: string
   label: string
   axis: Axis
   context: DriverContext
 }
 
-/** Slider that sets a custom input, on the stage only. */
+/** Slider that sets a custom input of drivers. The value is not part of the document. */
 export function InputSlider({ name, label, axis: { range }, context: { model } }: InputSliderProps) {
   const { viewer, frame, actions } = model
   frame.value

@@ -11,15 +11,15 @@ interface LinkListProps {
   index: number
   context: DriverContext
   links: readonly Link[]
-  /** Names available for links. */
+  /** Names from which the user can choose. */
   names: readonly string[]
-  /** Kind of link: `blendshape`. */
+  /** Kind of input to which links refer, such as `blendshape`. */
   noun: string
   /** Driver field that contains the links. */
   field: 'targets' | 'areas'
 }
 
-/** Blendshapes or areas that a driver reads, each with a factor and an optional curve. */
+/** List of a driver's links: the blendshapes or areas that it reads, each with a factor and an optional curve. */
 export function LinkList({ index, context, links, names, noun, field }: LinkListProps) {
   const { editor } = context
   const set = (next: readonly Link[], key = field as string) => editor.set(index, key, { [field]: next })
@@ -68,7 +68,7 @@ interface LinkRowProps {
   index: number
   context: DriverContext
   link: Link
-  /** Index among the driver's links. */
+  /** Index of the link in the driver. */
   position: number
   names: readonly string[]
   noun: string
@@ -113,13 +113,13 @@ function LinkRow({
           range={[-1000, 1000]}
           onChange={(next) => onChange({ weight: next })}
         />
-        <output class="part" title="What it gives now" aria-live="off">
+        <output class="part" title="Current contribution" aria-live="off">
           {part}
         </output>
         <button
           type="button"
           class={`toggle ${curve ? 'bent' : ''}`}
-          title="A curve of its own"
+          title="Curve for this input"
           aria-label={`Curve of ${name}`}
           aria-expanded={isOpen.value}
           onClick={() => {

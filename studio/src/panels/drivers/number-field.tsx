@@ -7,7 +7,7 @@ interface NumberFieldProps {
   /** Minimum and maximum. Default: unlimited. */
   range?: readonly [number, number]
   unit?: string | undefined
-  /** Whether only screen readers get the label. */
+  /** Whether the label is only for screen readers. */
   isLabelHidden?: boolean
   onChange(value: number): void
 }
@@ -23,7 +23,7 @@ export function NumberField({
   onChange,
 }: NumberFieldProps) {
   const id = useId()
-  // One digit more than the step.
+  // Show one digit more than the step has.
   const shown = Number(value.toFixed(Math.max(0, Math.ceil(-Math.log10(step))) + 1))
   return (
     <span class="number-field">

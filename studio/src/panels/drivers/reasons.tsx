@@ -1,7 +1,7 @@
 import type { PanelModel } from '../model.ts'
 import { useThrottled } from './throttled.ts'
 
-/** Contributions of drivers and inputs to an area, updated as the face moves. */
+/** Text with the contributions of drivers and their inputs to an area. It is updated while the face moves. */
 export function Reasons({ area, model: { viewer, frame } }: { area: string; model: PanelModel }) {
   useThrottled(frame).value
   return (

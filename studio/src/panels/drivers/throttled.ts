@@ -1,13 +1,13 @@
 import { effect, type ReadonlySignal, signal } from '@preact/signals'
 import { useEffect, useMemo } from 'preact/hooks'
 
-/** Interval of displayed numbers, milliseconds. */
+/** Time between two updates of displayed numbers, milliseconds. */
 const READING_INTERVAL = 250
 
 /**
- * Throttles a signal. The last value always arrives.
+ * Makes a signal that follows another one, but changes at most once per `interval` (milliseconds). It never misses the last value.
  *
- * @returns the throttled signal, and a function that stops it.
+ * @returns the new signal, and a function that stops its updates.
  */
 export function throttled<T>(source: ReadonlySignal<T>, interval: number): [ReadonlySignal<T>, () => void] {
   const slow = signal(source.peek())
@@ -35,7 +35,7 @@ export function throttled<T>(source: ReadonlySignal<T>, interval: number): [Read
   ]
 }
 
-/** Throttles a signal to a readable rate. */
+/** Throttles a signal to a rate that users can read. */
 export function useThrottled<T>(source: ReadonlySignal<T>): ReadonlySignal<T> {
   const [slow, stop] = useMemo(() => throttled(source, READING_INTERVAL), [source])
   useEffect(() => stop, [stop])

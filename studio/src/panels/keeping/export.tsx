@@ -6,13 +6,12 @@ import { Section } from '../controls/section.tsx'
 import type { PanelModel } from '../model.ts'
 import { SaveProject } from './save-project.tsx'
 
-/** Code that loads an exported face. */
-const CODE = `import { WrinkleLoaderPlugin } from 'furrow/three'
+const CODE = `import { extendLoader } from 'furrow/three'
 
-loader.register((parser) => new WrinkleLoaderPlugin(parser))
+extendLoader(loader)
 const { scene } = await loader.loadAsync('FILE')`
 
-/** Exports the avatar with its wrinkles, and shows their size and the code that loads them. */
+/** Section that exports the avatar with its wrinkles. Shows the size of the wrinkles and code that loads the file. */
 export function Export({ model }: { model: PanelModel }) {
   const { exporting, actions } = model
   const isCompressed = useSignal(false)
@@ -101,7 +100,7 @@ function Code({ text, onCopy }: { text: string; onCopy(text: string): void }) {
         readOnly
         rows={8}
         spellcheck={false}
-        aria-label="Code that loads it"
+        aria-label="Code that loads the file"
         value={text}
       />
       <button type="button" onClick={() => onCopy(text)}>

@@ -1,6 +1,6 @@
 import type { PanelModel } from '../model.ts'
 
-/** State of saving, with remedies. */
+/** Message about the state of saving in the browser, with buttons that solve problems. */
 export function KeepStatus({ model: { saving, session, actions } }: { model: PanelModel }) {
   const state = saving.value
   if (!state) return null

@@ -2,7 +2,6 @@ import type { ProjectEntry } from '../../keep/project-store.ts'
 import { Section } from '../controls/section.tsx'
 import type { PanelModel } from '../model.ts'
 
-/** Projects stored in this browser. */
 export function Recent({ model: { projects, actions } }: { model: PanelModel }) {
   const entries = projects.value
   if (entries.length === 0) return null

@@ -1,7 +1,7 @@
 import { canWriteFolders } from '../../keep/disk-folder.ts'
 import type { PanelModel } from '../model.ts'
 
-/** Buttons that save the project as a .zip file or, if supported, as a folder. */
+/** Buttons that save the project as a .zip file or, if the browser can write folders, as a folder. */
 export function SaveProject({ model: { folder, actions } }: { model: PanelModel }) {
   const known = folder.value
   return (

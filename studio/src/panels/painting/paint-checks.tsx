@@ -1,6 +1,6 @@
 import type { Painting } from '../../tools/painting.ts'
 
-/** Options shared by brush and polygon. */
+/** Check boxes for options that the brush and the polygon share. */
 export function PaintChecks({ painting }: { painting: Painting }) {
   const { mirror } = painting.brush.value
   return (
@@ -15,7 +15,7 @@ export function PaintChecks({ painting }: { painting: Painting }) {
         />
         Mirror
       </label>
-      <label class="check" title="Also what the camera does not see">
+      <label class="check" title="Also paint skin that the camera does not see">
         <input
           type="checkbox"
           checked={painting.isHiddenPainted.value}

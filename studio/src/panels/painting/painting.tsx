@@ -9,7 +9,7 @@ const titled = <T extends string>(value: T) => ({ value, label: value[0].toUpper
 const SHAPES = PAINT_SHAPES.map(titled)
 const MODES = BRUSH_MODES.map(titled)
 
-/** Minimum diameter, maximum diameter and step of the slider, millimetres. Keys exceed this range. */
+/** Minimum, maximum and step of the slider for the diameter, millimetres. With keys, users can exceed this range. */
 const SIZES = [1, 80, 0.5] as const
 
 /** Button that starts painting, and the settings of its tools. */

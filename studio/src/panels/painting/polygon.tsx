@@ -8,7 +8,7 @@ const MODES = [
   { value: 'remove', label: 'Remove' },
 ] as const
 
-/** Polygon settings, and buttons for touch screens. */
+/** Settings of polygons, and buttons that replace keys on touch screens. */
 export function PolygonControls({ painting }: { painting: Painting }) {
   const { polygon, brush } = painting
   const count = polygon.count.value

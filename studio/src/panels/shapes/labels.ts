@@ -1,7 +1,7 @@
 import type { RecognisedShape } from 'furrow/internal'
 import type { ShapeRow } from '../../session/shape-editor.ts'
 
-/** Labels of blendshapes that are no ARKit shape. */
+/** Labels of blendshapes that are not ARKit shapes, by their kind. */
 const KINDS: Readonly<Record<string, string>> = {
   viseme: 'speech',
   emotion: 'whole expression',
@@ -19,10 +19,9 @@ const EVIDENCE: Readonly<Record<RecognisedShape['by'], string>> = {
   none: '',
 }
 
-/** Label of unrecognised blendshapes. */
 const UNKNOWN = 'unknown'
 
-/** Returns the label of a recognised blendshape: its ARKit name or its kind. Empty without a result. */
+/** Returns the label of a recognised blendshape: its ARKit name or its kind. Empty if it was not recognised yet. */
 export function recognisedLabel(recognised: RecognisedShape | undefined): string {
   if (!recognised) return ''
   const { shape, hint, by } = recognised
@@ -32,19 +31,19 @@ export function recognisedLabel(recognised: RecognisedShape | undefined): string
   return hint?.shapes.join(' + ') || UNKNOWN
 }
 
-/** Returns the searchable label of a blendshape, including its correction. */
+/** Returns the label by which a blendshape can be searched: its correction, or the recognised label. */
 export function shapeLabel({ recognised, correction }: ShapeRow): string {
   return correction === undefined ? recognisedLabel(recognised) : (correction ?? 'none')
 }
 
-/** Returns the evidence for a blendshape's label. */
+/** Returns the reason for a blendshape's label: its motion, its name, both, or a correction. */
 export function evidenceLabel(row: ShapeRow): string {
   const { recognised, correction } = row
   if (correction !== undefined) return EVIDENCE.correction
   return isUnknown(row) || !recognised ? '' : EVIDENCE[recognised.by]
 }
 
-/** Returns the confidence of a recognised ARKit shape, 0..1. Undefined for corrections and other shapes. */
+/** Returns the confidence of a recognised ARKit shape, 0..1. Undefined for corrected blendshapes, and for shapes outside ARKit. */
 export function confidenceOf({ recognised, correction }: ShapeRow): number | undefined {
   return correction === undefined && recognised?.shape !== undefined ? recognised.confidence : undefined
 }

@@ -5,17 +5,17 @@ import { groupShapes } from '../../viewer/pose/dials.ts'
 import type { PanelModel } from '../model.ts'
 import { recognisedLabel } from './labels.ts'
 
-/** Special option values. */
+/** Values of the options that are not ARKit shapes. */
 const AUTOMATIC = ''
 const NONE = '-'
 
 const GROUPS = groupShapes(SHAPE_NAMES.map((name) => ({ name })))
 
-/** Select for the ARKit shape of a blendshape. */
+/** Select by which the user corrects the ARKit shape that was recognised for a blendshape. */
 export function ShapeChoice({ row, model: { shapes } }: { row: ShapeRow; model: PanelModel }) {
   const { name, recognised, correction } = row
   const label = recognisedLabel(recognised)
-  // Fill the list only when needed: a thousand full lists would take seconds.
+  // Fill the list only when the user opens it, because a thousand full lists would take seconds.
   const [isFull, setIsFull] = useState(false)
   const fill = () => setIsFull(true)
   return (

@@ -11,7 +11,10 @@ interface ShapeRowProps {
   model: PanelModel
 }
 
-/** Blendshape with its recognised shape and confidence. Hovering or focusing the row previews the blendshape on the face. */
+/**
+ * Row for a blendshape: its name, its recognised shape and the confidence. While the pointer or the focus is on the row, the face shows the
+ * blendshape.
+ */
 export function ShapeRow({ row, isHidden, model }: ShapeRowProps) {
   const { name, correction } = row
   const confidence = confidenceOf(row)
@@ -28,7 +31,7 @@ export function ShapeRow({ row, isHidden, model }: ShapeRowProps) {
     <li
       hidden={isHidden}
       class={`shape${isUnknown(row) ? ' unknown' : ''}${correction === undefined ? '' : ' corrected'}`}
-      // Only mouse movement hovers. Touches and scrolling below a still mouse do not.
+      // Ignore touches. Also ignore events that scrolling causes under a resting mouse.
       onPointerMove={({ pointerType, movementX, movementY }) => {
         if (pointerType === 'mouse' && (movementX !== 0 || movementY !== 0)) show()
       }}
@@ -39,7 +42,7 @@ export function ShapeRow({ row, isHidden, model }: ShapeRowProps) {
       <button
         type="button"
         class="show"
-        // Skipped by Tab: focusing the select in this row also shows the blendshape.
+        // Tab skips this button, because focusing the select in this row also shows the blendshape.
         tabIndex={-1}
         aria-pressed={isShown}
         title={`Show ${name} on the face`}

@@ -9,16 +9,16 @@ import type { PanelModel } from '../model.ts'
 import { isUnknown, shapeLabel } from './labels.ts'
 import { ShapeRow } from './shape-row.tsx'
 
-/** Milliseconds after the last correction before shapes are recognised again. */
+/** Time from the last correction until blendshapes are recognised again, milliseconds. */
 const PAUSE = 500
 
-/** Lists the recognised shapes of the skin's blendshapes for correction. */
+/** Section that lists the shapes that were recognised for the skin's blendshapes, and lets the user correct them. */
 export function Shapes({ model }: { model: PanelModel }) {
   const { shapes, actions } = model
   const isOpen = useSignal(false)
   const rows = shapes.rows.value
   const skin = shapes.skin.value
-  // While open, recognise again after corrections, which can affect other shapes, and for each avatar.
+  // While the section is open, recognise blendshapes again for each new avatar and after corrections. A correction can affect other blendshapes.
   useEffect(() => {
     if (!isOpen.value || shapes.isCurrent.peek()) return undefined
     const timer = setTimeout(() => actions.attempt(() => shapes.recognise()), rows ? PAUSE : 0)
@@ -45,7 +45,7 @@ export function Shapes({ model }: { model: PanelModel }) {
 
 function Progress({ model: { shapes, actions } }: { model: PanelModel }) {
   const id = useId()
-  // Before the first run, and after an error.
+  // Recognition has not started yet, or has failed.
   if (!shapes.isRunning.value)
     return (
       <button type="button" onClick={() => actions.attempt(() => shapes.recognise())}>
@@ -90,7 +90,7 @@ function ShapeList({ rows, model }: { rows: readonly Row[]; model: PanelModel })
   const filter = useSignal('')
   const isUnknownOnly = useSignal(false)
   const query = filter.value.trim().toLowerCase()
-  // The row being corrected stays visible.
+  // Never hide the row that the user is correcting.
   const held = hovered.peek()?.kind === 'shape' ? hovered.peek()!.name : undefined
   const matches = (row: Row) =>
     row.name === held ||

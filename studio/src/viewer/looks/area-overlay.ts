@@ -10,14 +10,14 @@ import {
   ZeroFactor,
 } from 'three'
 
-/** Light absorbed at full weight, linear RGB: leaves orange and keeps the shading. WebGL blends encoded colours, WebGPU linear ones. */
+/** Fractions of red, green and blue light that the overlay absorbs at weight 1. WebGL blends encoded colours, WebGPU blends linear colours. */
 const ABSORPTION = { encoded: [0, 0.17, 0.65], linear: [0, 0.42, 0.9] } as const
 
 /** Draws areas in orange over the meshes of a skin. */
 export class AreaOverlay {
   readonly #copies: readonly Mesh[]
 
-  /** @param influence material with areas in gray, see `createInfluenceMaterial`. Modified for the overlay. */
+  /** @param influence material that shows areas in gray, see `createInfluenceMaterial`. This class modifies it. */
   constructor(meshes: readonly Mesh[], influence: Material) {
     const material = asFilter(influence as Coloured)
     this.#copies = meshes.map((mesh) => movingCopy(mesh, material))
@@ -46,7 +46,7 @@ function asFilter(material: Coloured): Material {
   material.blendDst = OneMinusSrcColorFactor
   material.blendSrcAlpha = ZeroFactor
   material.blendDstAlpha = OneFactor
-  // Avoids z-fighting: depths of different programs can differ in the last bit.
+  // The shader programs of filter and skin can compute slightly different depths. The offset prevents z-fighting.
   material.polygonOffset = true
   material.polygonOffsetFactor = material.polygonOffsetUnits = -1
   return material

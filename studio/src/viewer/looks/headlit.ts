@@ -8,12 +8,12 @@ import {
   SRGBColorSpace,
 } from 'three'
 
-/** Cached headlit materials per mesh, so that hovering over areas compiles no shaders. */
+/** Makes materials that are lit from the camera. Caches one for each mesh, so that pointing at areas compiles no shaders. */
 export class Headlit {
   readonly #materials = new Map<Mesh, Material>()
   #matcap: DataTexture | null = null
 
-  /** @param own the mesh's own material, the source of its colours. */
+  /** @param own material of the mesh, whose colours are copied. */
   materialOf(mesh: Mesh, own: Material): Material {
     const known = this.#materials.get(mesh)
     if (known) return known
@@ -29,7 +29,7 @@ export class Headlit {
   }
 }
 
-/** Makes a material lit from the camera: fast, and without dark places. */
+/** Makes a material that is lit from the camera. It is fast, and no part of the mesh is dark. */
 function headlit(material: Material, matcap: DataTexture): Material {
   const { map = null, color, side, vertexColors } = material as MeshStandardMaterial
   return new MeshMatcapMaterial({
@@ -44,7 +44,7 @@ function headlit(material: Material, matcap: DataTexture): Material {
 
 const MATCAP_SIZE = 64
 
-/** Makes a matcap that is 1 where the normal faces the camera. */
+/** Makes a matcap texture that is brightest where the normal points to the camera. */
 function createMatcap(): DataTexture {
   const data = new Uint8Array(4 * MATCAP_SIZE * MATCAP_SIZE)
   for (let i = 0; i < MATCAP_SIZE * MATCAP_SIZE; i++) {

@@ -1,5 +1,5 @@
+import type { GrayImage } from 'furrow'
 import { movingCopy, StrainView } from 'furrow/internal/three'
-import type { WrinkleMode } from 'furrow/three'
 import {
   Color,
   type Material,
@@ -13,21 +13,16 @@ import type { Face } from '../../../../stage/face.ts'
 import type { Wrinkles } from '../../../../stage/stage.ts'
 import { AreaOverlay } from './area-overlay.ts'
 import { Headlit } from './headlit.ts'
+import type { Look } from './look.ts'
+import { createNoOnsetMaterial, createOnsetMaterial } from './onset-material.ts'
 
-/** Display mode of the side with wrinkles. */
-export type LookName = Look['name']
-
-/** @property area shows only these areas, as if fully active. */
-export type Look =
-  | { name: 'shaded' | 'clay' | 'normals' | 'strain' | 'wireframe' }
-  | { name: 'influence'; area?: string | readonly string[] }
-
-/** Shows areas in orange on the face, for finding and painting them. */
+/** Look that shows areas in orange, for areas that the user points at or paints. */
 interface Marked {
   name: 'marked'
   area: readonly string[]
 }
 
+/** Side of the divider: without wrinkles (left), or with wrinkles (right). */
 export type Side = 'without' | 'with'
 
 /** Background of an unlit look. */
@@ -35,35 +30,36 @@ const TECHNICAL_BACKGROUND = new Color(0x131518)
 const WIRE_COLOUR = 0xe6b48c
 const SURFACE_COLOUR = 0x202328
 const OTHER_MESHES_COLOUR = 0x1b1e22
-/** Clay: a uniform colour that shows only shape. */
+/** Clay: a uniform colour, so that only the shape is visible. */
 const CLAY = { color: 0xa39a92, roughness: 0.62 } as const
 
-/** A mesh has several materials if three-vrm draws an outline. */
+/** One material, or several if three-vrm draws an outline. */
 type Materials = Mesh['material']
 
 type NormalMaps = Pick<MeshStandardMaterial, 'normalMap' | 'normalScale' | 'side'>
 
-/** Applies the same wrinkles to another mesh on the same renderer. */
+/** Creates another `Wrinkles` object for the same renderer, to show `wrinkles` on `mesh`. */
 type CreateMirror = (mesh: Mesh, wrinkles: Wrinkles) => Wrinkles
 
-/** Appearance of one side. */
+/** Appearance of the face on one side of the divider. */
 interface SideLook {
-  /** Material of each mesh; null hides it. */
+  /** Material of each mesh. Null hides the mesh. */
   materials: Map<Mesh, Materials | null>
-  /** Whether the materials are lit, and so tone-mapped. */
+  /** Whether the materials are lit. Only lit materials are tone-mapped. */
   isLit: boolean
-  /** Mesh drawn in place of the skin or over it. */
+  /** Additional mesh that is drawn over the skin or instead of it. */
   extra: 'wireframe' | 'strain' | 'marked' | null
 }
 
 /**
- * Draws the face differently on each side of the divider by swapping materials between the two draws of a frame.
- * Nothing is compiled or uploaded while the divider moves.
+ * Materials of the face on both sides of the divider. A frame renders the face once for each side and swaps the materials in between. Moving
+ * the divider therefore compiles and uploads nothing.
  */
 export class Looks {
   readonly #face: Face
   readonly #wrinkles: Wrinkles | null
   readonly #createMirror: CreateMirror
+  readonly #onsets: ReadonlyMap<string, GrayImage>
   readonly #originals: ReadonlyMap<Mesh, Materials>
   /** The skin's material without wrinkles. */
   readonly #plain: Materials
@@ -76,14 +72,22 @@ export class Looks {
   #mirror: Wrinkles | null = null
 
   /**
-   * @param plain clone of the skin's material from before wrinkles were added; disposed with this.
-   * @param wrinkles null for a plain face.
+   * @param plain clone of the skin's material without wrinkles. `dispose` disposes of the clone.
+   * @param wrinkles wrinkles of the face, or null if it has none.
+   * @param onsets onset maps. The keys are names of layers.
    */
-  constructor(face: Face, wrinkles: Wrinkles | null, plain: Materials, createMirror: CreateMirror) {
+  constructor(
+    face: Face,
+    wrinkles: Wrinkles | null,
+    plain: Materials,
+    createMirror: CreateMirror,
+    onsets: ReadonlyMap<string, GrayImage>,
+  ) {
     this.#face = face
     this.#wrinkles = wrinkles
     this.#plain = plain
     this.#createMirror = createMirror
+    this.#onsets = onsets
     const originals = new Map<Mesh, Materials>()
     face.root.traverse((object) => {
       if ((object as Mesh).isMesh) originals.set(object as Mesh, (object as Mesh).material)
@@ -93,7 +97,7 @@ export class Looks {
     this.#sides = { without: this.#shaded(plain), with: this.#shaded(originals.get(face.skin)!) }
   }
 
-  /** @throws FurrowError if the look names an unknown area; the look then does not change. */
+  /** @throws FurrowError if `look` names an unknown area. The face then keeps its look. */
   choose(look: Look | Marked): void {
     const influence = look.name === 'influence' || look.name === 'marked' ? this.#influence(look.area) : null
     this.#discard()
@@ -103,11 +107,12 @@ export class Looks {
     else if (look.name === 'strain') this.#sides = { without, with: this.#strained() }
     else if (look.name === 'marked') this.#sides = { without, with: this.#marked(influence!) }
     else if (influence) this.#sides = { without, with: this.#technical(influence) }
+    else if (look.name === 'onset') this.#sides = { without, with: this.#technical(this.#onset(look.layer)) }
     else if (look.name === 'wireframe') this.#sides = { without, with: this.#wireframe() }
     else this.#sides = { without, with: this.#shaded(this.#originals.get(this.#face.skin)!) }
   }
 
-  /** Whether a side is lit. An unlit side has the technical background. */
+  /** Whether the materials of a side are lit. Otherwise, the side needs the technical background. */
   isLit(side: Side): boolean {
     return this.#sides[side].isLit
   }
@@ -116,7 +121,7 @@ export class Looks {
     return TECHNICAL_BACKGROUND
   }
 
-  /** Recomputes the strain of the current pose when the face stops moving. */
+  /** Recomputes the strain colours for the current pose. This is slow: call it only while the face does not move. */
   follow(): void {
     this.#strain?.follow()
   }
@@ -164,25 +169,32 @@ export class Looks {
     return [this.#face.skin, ...this.#face.parts]
   }
 
-  /** Creates a material that shows influence as gray. A plain face is black. */
+  /** Creates a material that shows influence in gray. The material is black if the face has no wrinkles. */
   #influence(area?: string | readonly string[]): Material {
     if (this.#wrinkles) return this.#wrinkles.createInfluenceMaterial(area)
     return this.#keep(new MeshBasicMaterial({ color: 0x000000, toneMapped: false }))
   }
 
-  /** Shows the normals used for lighting. */
+  #onset(layer: string | undefined): Material {
+    const onset = layer === undefined ? [...this.#onsets.values()][0] : this.#onsets.get(layer)
+    if (!onset) return createNoOnsetMaterial()
+    const [plain] = [this.#plain].flat()
+    return createOnsetMaterial(onset, (plain as MeshStandardMaterial).normalMap ?? null)
+  }
+
+  /** Shows the normals that lighting uses, on both sides. */
   #normals(): Record<Side, SideLook> {
     return this.#wrinkled((maps) => new MeshNormalMaterial(maps), new MeshNormalMaterial())
   }
 
-  /** Shows only the shape, lit like the face. */
+  /** Shows only the shape on both sides, with the lights of the stage. */
   #clay(): Record<Side, SideLook> {
     const clay = new MeshStandardMaterial(CLAY)
     const sides = this.#wrinkled((maps) => new MeshStandardMaterial({ ...CLAY, ...maps }), clay)
     return { without: { ...sides.without, isLit: true }, with: { ...sides.with, isLit: true } }
   }
 
-  /** Shows the skin in a material without and with wrinkles. A second `Wrinkles` patches the material. */
+  /** Shows the skin with a new material on each side. A second `Wrinkles` object adds wrinkles to the right one. */
   #wrinkled(create: (maps: NormalMaps) => Material, others: Material): Record<Side, SideLook> {
     const { skin } = this.#face
     const [plain] = [this.#plain].flat()
@@ -219,14 +231,14 @@ export class Looks {
   }
 
   #wireframe(): SideLook {
-    // The surface is pushed back, because WebGPU has no depth bias for lines.
+    // Push the surface back instead of pulling the lines forward, because WebGPU has no depth bias for lines.
     const surface = new MeshBasicMaterial({ color: SURFACE_COLOUR, polygonOffset: true, toneMapped: false })
     surface.polygonOffsetFactor = 1
     surface.polygonOffsetUnits = 1
     return { ...this.#technical(this.#keep(surface)), extra: 'wireframe' }
   }
 
-  /** Shows the skin in one material and other meshes in another. Hides alpha-cut meshes such as lashes. */
+  /** Shows the skin in one material and other meshes in another. Hides meshes with transparency, such as lashes. */
   #technical(skin: Material, others?: Material): SideLook {
     if (!this.#materials.includes(skin)) this.#keep(skin)
     const rest =
@@ -268,18 +280,10 @@ function isCutOut({ transparent, alphaTest, alphaHash }: Material): boolean {
   return transparent || alphaTest > 0 || alphaHash
 }
 
-/** Makes a hidden wireframe copy of the skin that shares its morph weights. */
+/** Makes a hidden wireframe copy of the skin. The copy uses the blendshape weights of the skin. */
 function createWireframe(skin: Mesh): Mesh {
   const material = new MeshBasicMaterial({ color: WIRE_COLOUR, wireframe: true, toneMapped: false })
   const wireframe = movingCopy(skin, material)
   wireframe.name = 'wireframe'
   return wireframe
-}
-
-/** Returns the label of the side with wrinkles. */
-export function lookLabel(look: Look, mode: WrinkleMode): string {
-  if (look.name === 'influence') return look.area === undefined ? 'Influence' : [look.area].flat().join(', ')
-  if (look.name === 'wireframe') return 'Wireframe'
-  if (look.name === 'strain') return 'Strain'
-  return mode === 'off' ? 'Wrinkles off' : 'With wrinkles'
 }

@@ -17,7 +17,7 @@ export class Sides {
     this.#toneMapping = stage.renderer.toneMapping
   }
 
-  /** @param split fraction of the width without wrinkles. */
+  /** @param split position of the divider, as a fraction of the canvas's width. */
   draw(looks: Looks, split: number): void {
     this.#drawBoth(looks, split)
     looks.restore()

@@ -7,11 +7,11 @@ export interface ClipPlayerParts {
   viewer: ReadonlySignal<Pick<Viewer, 'move'> | null>
   /** Called before a clip moves the face, to stop other motion. */
   begin(): void
-  /** Called after the pose changed. A frame must be drawn. */
+  /** Called after the pose changed, so that a frame is drawn. */
   onPose(): void
 }
 
-/** Plays key frames on the face: animations of its file, and captures. Never starts automatically. */
+/** Plays key frames on the face: animations from the avatar's file, and facial captures. */
 export class ClipPlayer {
   readonly #parts: ClipPlayerParts
   readonly #clips = signal<readonly AnimationClip[]>([])
@@ -23,9 +23,7 @@ export class ClipPlayer {
   /** Current action, or null while no clip moves the face. */
   #action: AnimationAction | null = null
 
-  /** Whether clips loop. */
   readonly isLooped = signal(true)
-  /** Playback rate. */
   readonly speed: Signal<number> = signal(1)
 
   constructor(parts: ClipPlayerParts) {
@@ -36,7 +34,6 @@ export class ClipPlayer {
     return this.#clips
   }
 
-  /** Chosen clip, or null. */
   get clip(): ReadonlySignal<AnimationClip | null> {
     return this.#clip
   }
@@ -50,7 +47,7 @@ export class ClipPlayer {
     return this.#isPlaying
   }
 
-  /** Whether the face has the clip's pose, playing or paused. */
+  /** Whether the clip determines the pose of the face. Also true while the clip is paused. */
   get isShown(): ReadonlySignal<boolean> {
     return this.#isShown
   }
@@ -110,7 +107,7 @@ export class ClipPlayer {
     this.#parts.onPose()
   }
 
-  /** Stops the clip and restores the pose before it. */
+  /** Stops the clip and restores the pose that the face had before. */
   stop(): void {
     this.#isPlaying.value = false
     this.#time.value = 0

@@ -2,7 +2,7 @@ import { canonicalTargetName } from 'furrow/internal'
 import type { Mesh, Object3D } from 'three'
 import type { Wrinkles } from '../../../../stage/stage.ts'
 
-/** Number in 0..1 controlled by a slider. */
+/** Number that a slider controls, usually 0..1. */
 export interface Dial {
   readonly name: string
   read(): number
@@ -15,7 +15,7 @@ export interface ShapeGroup<T extends { readonly name: string }> {
   readonly shapes: T[]
 }
 
-/** Groups by name prefix, in display order. The last one takes the rest. */
+/** Groups of blendshapes in display order, each with the prefixes of its blendshape names. The last group contains all other blendshapes. */
 const GROUPS: readonly [name: string, prefix: RegExp][] = [
   ['Brows', /^brow/i],
   ['Eyes', /^eye/i],
@@ -35,14 +35,17 @@ export function areaDials(wrinkles: Wrinkles): Dial[] {
   }))
 }
 
-/** Blendshape of a mesh: index by name, spelling of the name, and weights by index. */
+/** Blendshape in one mesh. */
 interface Binding {
+  /** Indices of all blendshapes of the mesh. The keys are their names. */
   indices: Record<string, number>
+  /** Name of this blendshape, as the mesh spells it. */
   spelling: string
+  /** Weights of all blendshapes of the mesh. */
   weights: number[]
 }
 
-/** Makes one dial per blendshape for all meshes that have it, so that skin, eyes, teeth and tongue move together. */
+/** Makes a dial for each blendshape. The dial moves all meshes that have the blendshape, such as skin, teeth and tongue. */
 export function targetDials(root: Object3D): Dial[] {
   const bindings = new Map<string, Binding[]>()
   root.traverse((object) => {
@@ -55,7 +58,7 @@ export function targetDials(root: Object3D): Dial[] {
   })
   return [...bindings].map(([name, targets]) => ({
     name,
-    // The slider of a removed muscle exists until the next render. Removal also changes other indices.
+    // Look up the index each time, because removing a muscle's blendshape changes indices. The slider exists until the next render.
     read: () => {
       const [{ indices, spelling, weights }] = targets
       return weights[indices[spelling]] ?? 0
@@ -68,7 +71,6 @@ export function targetDials(root: Object3D): Dial[] {
   }))
 }
 
-/** Groups blendshapes by region, in display order. */
 export function groupShapes<T extends { readonly name: string }>(shapes: readonly T[]): ShapeGroup<T>[] {
   const groups = GROUPS.map(([name]) => ({ name, shapes: [] as T[] }))
   for (const shape of shapes)

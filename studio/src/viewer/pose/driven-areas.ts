@@ -4,12 +4,13 @@ import type { Dial } from './dials.ts'
 import { FaceDrivers, type FaceState } from './face-drivers.ts'
 
 /**
- * Areas of the shown face, activated by drivers. Evaluated here instead of in the engine, so that sliders follow immediately. An area
- * set by hand keeps its activation until its inputs change.
+ * Lets drivers activate the areas of the face. Evaluates the drivers instead of `Wrinkles`, so that sliders follow before the next frame. An area
+ * that the user has set keeps its activation until its drivers return a new value.
  */
 export class DrivenAreas implements FaceState {
-  /** Custom inputs by name, set by the application: age in years, stress. */
+  /** Values of custom inputs, such as the age in years or stress. The keys are the names of the inputs. */
   readonly inputs = new Map<string, number>()
+  /** Activations of areas at rest, 0..1. */
   readonly resting = new Map<string, number>()
   #wrinkles: Wrinkles | null = null
   #drivers = new FaceDrivers(null, [], this)
@@ -18,7 +19,7 @@ export class DrivenAreas implements FaceState {
     return this.#drivers
   }
 
-  /** Takes over the resting areas and drivers of other wrinkles, or of a plain face. Call `drive` to set the areas. */
+  /** Replaces the wrinkles, areas and drivers. Null removes the wrinkles. Call `drive` afterwards to activate the areas. */
   attach(
     wrinkles: Wrinkles | null,
     areas: WrinkleSet<unknown>['areas'],
@@ -31,7 +32,6 @@ export class DrivenAreas implements FaceState {
     this.#drivers = new FaceDrivers(wrinkles, drivers, this)
   }
 
-  /** Replaces the drivers. */
   setDrivers(drivers: readonly WrinkleDriver[]): void {
     const before = this.#drivers.areaNames
     this.#drivers = new FaceDrivers(this.#wrinkles, drivers, this)
@@ -40,13 +40,18 @@ export class DrivenAreas implements FaceState {
     this.drive()
   }
 
-  /** Sets all driven areas to the current pose. */
+  /** Sets the activations of all driven areas for the current pose. */
   drive(): void {
     const activations = this.#drivers.evaluate()
     for (const [i, name] of this.#drivers.areaNames.entries()) this.#setActivation(name, activations[i])
   }
 
-  /** Runs a change of inputs and updates the areas whose activation it changes. Other areas keep activations set by hand. */
+  /**
+   * Runs a function that changes inputs of drivers. Then updates only the areas whose driven activation has changed, because
+   * the user may have set other areas by hand.
+   *
+   * @param isWanted whether to update an area.
+   */
   applyChange(change: () => void, isWanted: (area: string) => boolean = () => true): void {
     const before = this.#drivers.evaluate().slice()
     change()
@@ -56,18 +61,18 @@ export class DrivenAreas implements FaceState {
     }
   }
 
-  /** Changes the activation of an area at rest. */
+  /** Changes the resting activation of an area. */
   setResting(area: string, activation: number): void {
     this.applyChange(() => this.resting.set(area, activation))
     if (!this.#drivers.areaNames.includes(area)) this.#setActivation(area, activation)
   }
 
-  /** Returns the existing areas driven by a blendshape. */
+  /** Returns the names of the face's areas that a blendshape drives. */
   drivenBy(target: string): string[] {
     return this.#drivers.areasOf(target).filter((name) => this.#wrinkles?.hasArea(name))
   }
 
-  /** Custom input: a number set by the application, in its own unit. */
+  /** Returns the dial of a custom input, whose value has its own unit and range. */
   inputDial(name: string): Dial {
     return {
       name,

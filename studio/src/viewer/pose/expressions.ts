@@ -3,8 +3,9 @@ import { expressionsOf, faceExpressions, targetFinder } from 'furrow/internal'
 import type { FaceDrivers } from './face-drivers.ts'
 
 /**
- * Returns the expressions of a face: authored ones, those of its VRM, or presets that its shapes support. The first one also resets
- * every blendshape and every area that no driver controls or another expression sets.
+ * Returns the expressions of a face: those in its drivers, those of its VRM, or presets that its blendshapes support. The first expression also
+ * resets the blendshapes and areas that it does not name: blendshapes to 0, areas to their activation at rest. It does not reset areas that
+ * only drivers set.
  *
  * @param restOf returns the resting activation of an area.
  */

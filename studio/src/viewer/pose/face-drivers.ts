@@ -12,17 +12,17 @@ import {
 import { bindInputs, bindTension } from 'furrow/internal/three'
 import type { Wrinkles } from '../../../../stage/stage.ts'
 
-/** State of the face beyond its mesh. Read at each evaluation of the drivers. */
+/** Driver inputs that do not come from the mesh. Each evaluation of the drivers reads them. */
 export interface FaceState {
-  /** Custom inputs by name, set by the application: age, stress. */
+  /** Values of custom inputs, such as age or stress. The keys are the names of the inputs. */
   readonly inputs: ReadonlyMap<string, number>
-  /** Resting activations by area, 0..1. Default 0. */
+  /** Activations of areas at rest, 0..1. Default per area: 0. */
   readonly resting: ReadonlyMap<string, number>
 }
 
 const MEASURED = ['target', 'joint', 'tension'] as const
 
-/** Runs drivers of all types on the shown face like the engine, except delays: sliders show the final activation immediately. */
+/** Evaluates drivers of all types on the face. Omits delays, so that sliders show the final activation immediately. */
 export class FaceDrivers {
   readonly list: readonly WrinkleDriver[]
   readonly #plan: DriverPlan
@@ -32,7 +32,7 @@ export class FaceDrivers {
   readonly #values: ReturnType<typeof valueSource>
   readonly #read: () => void
 
-  /** @param wrinkles null for a plain face, without driven areas. */
+  /** @param wrinkles wrinkles of the face. If null, no area is driven. */
   constructor(wrinkles: Wrinkles | null, list: readonly WrinkleDriver[], face: FaceState) {
     this.list = list
     this.#face = face
@@ -47,12 +47,12 @@ export class FaceDrivers {
     }
   }
 
-  /** Areas that drivers activate or read, in the order of `evaluate`. */
+  /** Areas that drivers activate or read, in the order of the activations that `evaluate` returns. */
   get areaNames(): readonly string[] {
     return this.#plan.areaNames
   }
 
-  /** Evaluates activations, 0..1, in the current pose. The result is overwritten by the next call. */
+  /** Returns activations, 0..1, in the current pose. The next call overwrites the returned array. */
   evaluate(): Float32Array {
     const { inputs, resting } = this.#face
     const { names, initial } = this.#values
@@ -63,7 +63,7 @@ export class FaceDrivers {
     return this.#state.activations
   }
 
-  /** Returns the contribution of each driver in the current pose, or null if it activates nothing. */
+  /** Returns the contribution of each driver in the current pose, with null for drivers that activate no area. */
   contributions(): (Contribution | null)[] {
     this.evaluate()
     const { activations } = this.#program
@@ -74,7 +74,7 @@ export class FaceDrivers {
     })
   }
 
-  /** Returns lines of text with each driver's contribution to an area, and the share of each input. */
+  /** Returns lines of text: for each driver of an area, its contribution and the share of each input. */
   explain(area: string): string[] {
     this.evaluate()
     const lines = this.#program.activations.flatMap(({ activation }, i) => {
@@ -88,7 +88,7 @@ export class FaceDrivers {
     return lines.length > 0 ? lines : [`${area} has no driver: only its slider moves it`]
   }
 
-  /** Returns the blendshapes that drive an area, by dial name. */
+  /** Returns the blendshapes that drive an area, named like their dials. */
   targetsOf(area: string): string[] {
     return this.#plan.activations
       .filter(({ activation }) => activation.area === area)
@@ -103,7 +103,6 @@ export class FaceDrivers {
     return [...new Set(driven.map(({ activation }) => activation.area))]
   }
 
-  /** Returns the value of a custom input. */
   input(name: string): number {
     return this.#face.inputs.get(name) ?? this.#values.initial[this.#values.names.indexOf(name)] ?? 0
   }

@@ -5,7 +5,7 @@ import type { Wrinkles } from '../../../../stage/stage.ts'
 import { completeExpressions } from './expressions.ts'
 import type { FaceDrivers } from './face-drivers.ts'
 
-/** Expressions of the shown face, and transitions between them. */
+/** Expressions of the face, and transitions between them. */
 export class FaceExpressions {
   readonly #root: Object3D
   readonly #vrm: readonly Expression[]
@@ -15,7 +15,6 @@ export class FaceExpressions {
   /** Remaining seconds of the transition. */
   #remaining = 0
 
-  /** @param vrm expressions of a VRM. */
   constructor(root: Object3D, vrm: readonly Expression[]) {
     this.#root = root
     this.#vrm = vrm
@@ -38,12 +37,11 @@ export class FaceExpressions {
     return this.#list
   }
 
-  /** Whether a transition is running. */
   get isMoving(): boolean {
     return this.#remaining > 0
   }
 
-  /** Whether expressions set an area directly. Other areas follow the face. */
+  /** Whether expressions set an area directly. Other areas follow their drivers. */
   setsArea(area: string): boolean {
     return this.#list.slice(1).some(({ activations }) => area in activations)
   }

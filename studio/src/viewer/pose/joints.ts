@@ -1,6 +1,9 @@
 import type { Bone, Mesh, Object3D } from 'three'
 
-/** Lists the joints of an avatar with their parents, by name in the file, parents first. Without bones, lists all named nodes. */
+/**
+ * Lists the joints of an avatar, parents first. Each entry has the names of the parent and of the joint, as in the file. If the avatar has no
+ * bones, lists all named nodes.
+ */
 export function jointsOf(root: Object3D): [from: string, joint: string][] {
   const nodes: Object3D[] = []
   root.traverse((node) => {

@@ -1,15 +1,15 @@
 import type { GrayImage } from 'furrow'
 import type { Mesh } from 'three'
 
-/** Length of a muscle, metres: close to the forehead muscle. */
+/** Length of a muscle, metres, similar to the muscle of the forehead. */
 const LENGTH = 0.03
 
 type Vector = [number, number, number]
 
 /**
- * Suggests attachments for a muscle that pulls an area upwards: the middle of the area, and a point above it.
+ * Suggests both ends of a muscle that pulls an area upwards: the middle of the area, and a point above it.
  *
- * @returns null if no skin lies under the area.
+ * @returns null if the area covers no vertex of the skin.
  */
 export function muscleAxis(
   { geometry }: Mesh,

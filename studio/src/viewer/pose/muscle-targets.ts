@@ -4,10 +4,10 @@ import { coordinates, trianglesOf } from 'furrow/internal/three'
 import { addMuscles } from 'furrow/three'
 import type { BufferAttribute, BufferGeometry, Mesh } from 'three'
 
-/** Blendshapes for the muscles of a face, in sync with the document. */
+/** For each muscle, adds a blendshape to the meshes of a face, and updates it when the muscle changes. */
 export class MuscleTargets {
   readonly #meshes: readonly Mesh[]
-  /** Muscles whose blendshapes are not in the file. */
+  /** Muscles for which this class has added blendshapes. The keys are their names. */
   readonly #added = new Map<string, MuscleDriver>()
 
   constructor(meshes: readonly Mesh[]) {
@@ -34,7 +34,7 @@ export class MuscleTargets {
   }
 }
 
-/** Removes a blendshape. Callers must look up cached indices again. */
+/** Removes a blendshape. This changes the indices of other blendshapes. */
 function removeTarget(meshes: readonly Mesh[], name: string): void {
   const indices = new Map<BufferGeometry, number>()
   for (const { geometry, morphTargetDictionary: dictionary, morphTargetInfluences } of meshes) {
@@ -52,7 +52,6 @@ function removeTarget(meshes: readonly Mesh[], name: string): void {
   }
 }
 
-/** Recomputes the blendshape of a muscle. */
 function updateMuscle({ geometry, morphTargetDictionary }: Mesh, muscle: MuscleDriver): void {
   const index = morphTargetDictionary![muscle.name]
   const positions = coordinates(geometry.getAttribute('position'))
@@ -63,7 +62,7 @@ function updateMuscle({ geometry, morphTargetDictionary }: Mesh, muscle: MuscleD
     const changes = morphNormalDeltas({ positions, normals, triangles: trianglesOf(geometry) })
     write(geometry, 'normal', index, normals, changes(offsets))
   }
-  // Renderers cache all blendshapes of a geometry in one texture.
+  // Renderers cache all blendshapes of a geometry in a texture. Make them create this texture again.
   geometry.dispose()
 }
 

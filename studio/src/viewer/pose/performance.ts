@@ -1,12 +1,14 @@
 import { driversOf, type Expression, type WrinkleDriver } from 'furrow'
 import { canonicalTargetName, explain } from 'furrow/internal'
 
-/** Minimum activation for an expression to show an area. */
+/** Minimum activation at which a pose counts as showing an area. */
 const MIN_VISIBLE = 0.2
 
-/** Pose that shows an area or a blendshape: blendshape weights (others are 0), and activations that an expression sets directly. */
+/** Pose that shows an area or a blendshape. */
 export interface Performance {
+  /** Weights of blendshapes. All other blendshapes have 0. */
   readonly targets: ReadonlyMap<string, number>
+  /** Activations of areas that an expression sets directly. */
   readonly activations: ReadonlyMap<string, number>
 }
 
@@ -16,7 +18,8 @@ export function poseOfTarget(name: string): Performance {
 }
 
 /**
- * Finds the expression that activates an area most. Falls back to the blendshapes that its drivers read, at full weight.
+ * Returns the pose of the expression that activates an area most. If no expression activates the area, returns the pose in which all
+ * blendshapes that the area's drivers read have the weight 1.
  *
  * @param drivers drivers of the face. Joints, tension and custom inputs stay at rest.
  * @param targetNames blendshapes of the face.

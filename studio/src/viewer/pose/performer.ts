@@ -5,11 +5,12 @@ import type { Viewer } from '../viewer.ts'
 import type { Dial } from './dials.ts'
 import { poseOfTarget } from './performance.ts'
 
-/** Milliseconds of hovering before a preview, and seconds of its transition. */
+/** Time that the pointer must stay on a control before the preview starts, milliseconds. */
 const DELAY = 150
+/** Duration of the transition to a preview, seconds. */
 const TIME = 0.35
 
-/** Values by dial name. */
+/** Values of dials. The keys are the names of the dials. */
 type Numbers = ReadonlyMap<string, number>
 
 interface Pose {
@@ -19,13 +20,13 @@ interface Pose {
 
 export interface PerformerParts {
   viewer: ReadonlySignal<Viewer | null>
-  /** Set during a preview. */
+  /** Set to true during a preview, to light the face from the side. */
   isSideLit: Signal<boolean>
-  /** Called after the pose changed. A frame must be drawn. */
+  /** Called after the pose changed, so that a frame is drawn. */
   onPose(): void
 }
 
-/** Previews hovered controls on the face: the expression of an area, or a blendshape. Restores the pose afterwards. */
+/** Previews an area or a blendshape on the face while the pointer is on its control. Afterwards, restores the pose. */
 export class Performer {
   readonly #parts: PerformerParts
   #timer = 0
@@ -123,7 +124,7 @@ function between(from: Numbers, to: Numbers, t: number): Numbers {
   )
 }
 
-/** Writes blendshapes first, because they change driven areas, which may have been set by hand. */
+/** Sets the face to a pose. Sets blendshapes first, because they change driven areas. */
 function write({ targets, areas }: Viewer, pose: Pose): void {
   const writeAll = (dials: readonly Dial[], numbers: Numbers) => {
     for (const dial of dials) {

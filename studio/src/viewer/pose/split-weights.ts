@@ -1,8 +1,8 @@
 import { AnimationClip, type KeyframeTrack, NumberKeyframeTrack } from 'three'
 
 /**
- * Splits the weight tracks of a clip into one track per blendshape. Muscles add blendshapes to a mesh, and three.js would then write
- * beyond the values of a joint track.
+ * Splits each track that contains the weights of all blendshapes into one track per blendshape. Muscles add blendshapes to a mesh, so a track for all
+ * blendshapes would have too few values.
  */
 export function splitWeights({ name, duration, tracks }: AnimationClip): AnimationClip {
   return new AnimationClip(
@@ -12,7 +12,7 @@ export function splitWeights({ name, duration, tracks }: AnimationClip): Animati
   )
 }
 
-/** GLTFLoader's mark for cubic interpolation, missing in the type definitions. */
+/** Property by which GLTFLoader marks cubic interpolation. The type definitions lack it. */
 interface Interpolated {
   createInterpolant: { isInterpolantFactoryMethodGLTFCubicSpline?: true }
 }

@@ -45,7 +45,7 @@ function BoneForm({ driver, index, context }: FormProps<BoneDriver>) {
         label="Measure"
         value={measure}
         options={MEASURES}
-        // Degrees and millimetres need different curves.
+        // A curve for angles does not suit distances.
         onChange={(next) =>
           set('measure', {
             measure: next as BoneDriver['measure'],
@@ -77,7 +77,7 @@ function BoneForm({ driver, index, context }: FormProps<BoneDriver>) {
   )
 }
 
-/** Default curves: radians up to a right angle, and metres. */
+/** Default curves. Their inputs are radians for angles, and metres for distances. */
 const CURVES: Record<BoneDriver['measure'], BoneDriver['curve']> = {
   angle: [
     [0, 0],

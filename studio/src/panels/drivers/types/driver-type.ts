@@ -4,29 +4,27 @@ import type { StudioDocument } from '../../../document/document.ts'
 import { freeName } from '../../../document/names.ts'
 import type { FormProps } from '../context.ts'
 
-/** Driver types of an area: all but `conflict`, which has no area. */
+/** Types of drivers that activate an area. A driver of the type `conflict` has no area. */
 export type AreaDriverType = Exclude<TypeName, 'conflict'>
 
-/** Label, factory and form of a driver type. */
 export interface DriverType<Driver> {
-  /** Label for artists. */
+  /** Displayed name of the type. */
   readonly label: string
   /** Returns the names of a driver's inputs, for its heading. */
   reads?(driver: Driver): string
   /** Creates a driver with defaults, or returns null if the face or the document has no suitable input. */
   create(area: string, document: StudioDocument, face: Drivable): WrinkleDriver | null
-  /** Form for a driver. */
   readonly Form: FunctionComponent<FormProps<Driver>>
 }
 
-/** Inputs of the face for new drivers. */
+/** Inputs of the face that new drivers can read. */
 export interface Drivable {
-  /** Set blendshapes, or a default one, with their weights, 0..1. */
+  /** Blendshapes of the current pose with their weights, 0..1. Empty in the neutral pose. */
   readonly pose: ReadonlyMap<string, number>
   readonly targets: readonly string[]
   /** Joints, parents first. */
   readonly joints: readonly (readonly [from: string, joint: string])[]
-  /** Returns default attachments of a muscle for the area, metres, or null if no skin lies under the area. */
+  /** Returns both ends of a default muscle for the driver's area, in metres. Returns null if the area covers no vertex of the skin. */
   muscle(): { readonly origin: Vector; readonly insertion: Vector } | null
 }
 
@@ -40,7 +38,6 @@ export function freeDriverName({ drivers }: StudioDocument, wanted: string): str
   )
 }
 
-/** Joins the names of links. */
 export function namesOf(links: readonly { name: string }[]): string {
   return links.map(({ name }) => name).join(', ')
 }

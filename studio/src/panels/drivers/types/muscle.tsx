@@ -20,10 +20,9 @@ const KINDS: readonly (readonly [MuscleDriver['kind'], string])[] = [
   ['sphincter', 'Ring'],
 ]
 
-/** Degrees per radian. */
 const DEGREES = 180 / Math.PI
 
-/** Form of a virtual muscle: attachments, range and strength. */
+/** Form for a virtual muscle: both ends, range and strength. */
 function MuscleForm({ driver, index, context }: FormProps<MuscleDriver>) {
   const { kind, origin, insertion, angle, width, inner, outer } = driver
   const { editor } = context

@@ -13,7 +13,7 @@ interface RuleFieldProps extends Omit<FormProps<never>, 'driver'> {
   rule: Rule
 }
 
-/** Chooses how the links of a driver are combined. */
+/** Field that chooses how a driver combines the values of its links. */
 export function RuleField({ rule, index, context: { editor } }: RuleFieldProps) {
   return (
     <SelectField

@@ -11,7 +11,7 @@ export const tension: DriverType<TensionDriver> = {
     type: 'tension',
     area,
     measure: 'compression',
-    // Fractions by which skin shortens where it creases.
+    // The inputs are fractions by which creasing skin becomes shorter.
     curve: [
       [0.03, 0],
       [0.2, 1],
@@ -65,7 +65,7 @@ function TensionForm({ driver: { measure, direction, curve }, index, context }: 
   )
 }
 
-/** Degrees from the texture's u to its v, 0..180. Opposite directions are equal. */
+/** Returns the angle of a direction in the texture, degrees from u towards v, 0..180. Opposite directions have the same angle. */
 function angleOf([u, v]: readonly [number, number]): number {
   const degrees = (Math.atan2(v, u) * 180) / Math.PI
   return degrees < 0 ? degrees + 180 : degrees

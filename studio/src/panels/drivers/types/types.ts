@@ -11,12 +11,12 @@ import { muscle } from './muscle.tsx'
 import { tension } from './tension.tsx'
 import { time } from './time.tsx'
 
-/** Driver types in menu order. */
+/** Definitions of driver types, in the order of the menu. */
 const TYPES = { morph, area, tension, bone, age, input, muscle, time, expression } satisfies {
   readonly [type in AreaDriverType]: unknown
 }
 
-/** Driver types of an area, in menu order. */
+/** Types that a driver of an area can have, in the order of the menu. */
 export const AREA_DRIVER_TYPES = Object.keys(TYPES) as readonly AreaDriverType[]
 
 /** Returns the definition of a driver type, or undefined if the type is unknown. */
