@@ -1,5 +1,5 @@
-// `node bench/cpu.mjs`: measures the CPU time per face and frame, alone and in crowds, with 57 blendshapes that drive 64 areas. Compares
-// crowds with a minimal implementation. Uses the packages' builds and a stub renderer.
+// `node bench/cpu.mjs`: measures the CPU time per frame of one face, and per frame and face in crowds. Each face has 57 blendshapes that drive
+// 64 areas. A minimal implementation is measured for comparison. Uses the built packages and a stub renderer.
 
 import { fileURLToPath } from 'node:url'
 import { setFlagsFromString } from 'node:v8'
@@ -24,7 +24,7 @@ const collectGarbage = runInNewContext('gc')
 
 const TARGETS = 57
 const AREAS = 64
-/** Blendshapes per area, as in the shipped face. */
+/** Number of blendshapes that drive each area, as in `faces/human.glb`. */
 const LINKS = 4
 const LINK_WEIGHT = 0.4
 const ROUNDS = 15
@@ -36,28 +36,29 @@ const CURVE = [
   [1, 1],
 ]
 
-/** Areas with a tension driver, as many as one expression uses. */
+/** Number of areas with a tension driver. One expression uses about eight. */
 const TENSION_AREAS = 8
 
 /**
  * Measures microseconds and allocated bytes per frame, medians over rounds.
  *
- * @param allTypes whether to add drivers of every other type.
- * @param customClock whether `wrinkles.clock` is set by the page; otherwise it is `performance`.
+ * @param allTypes whether to add drivers of every type besides `morph`.
+ * @param customClock whether to replace `wrinkles.clock`, which is `performance` by default, by a clock with integer milliseconds.
  */
 export function measureCpu(allTypes, customClock = allTypes) {
   return { targets: TARGETS, areas: AREAS, ...measure(movingFace(allTypes, customClock), FRAMES) }
 }
 
-/** Faces timed per round of a crowd. Still faces take far less time. */
+/** Number of faces that are evaluated per round. Faces with constant weights (`still`) take far less time, so there are more of them. */
 const CROWD_FACES = { moving: 30_000, still: 600_000 }
-/** Fraction of faces that move in a crowd with few moving faces. */
+/** Fraction of a crowd's faces that move when `stillAmongMoving` is measured. */
 const FEW = 0.01
 
 /**
  * Measures microseconds per face and frame in a crowd of instances, with the blendshapes and areas of `measureCpu`.
  *
- * @returns `moving`: all faces move; `still`: no face moves; `stillAmongMoving`: still faces while one in a hundred moves.
+ * @returns `moving`: time per face if all move. `still`: time per face if none moves. `stillAmongMoving`: time per still face if one face in a
+ * hundred moves.
  */
 export function measureCrowdCpu(faces) {
   const { all, none, few } = crowdFrames(faces)
@@ -69,8 +70,8 @@ export function measureCrowdCpu(faces) {
 }
 
 /**
- * Measures microseconds per face and frame of minimal JavaScript with the same result: compares weights with the last frame,
- * evaluates areas, and writes activations and quads.
+ * Measures microseconds per face and frame of minimal JavaScript that does the same work as the library. It compares weights with those of the
+ * last frame, evaluates the drivers, and writes activations and the vertices of the influence map's quads.
  */
 export function measureMinimalCpu(faces) {
   const { all, none } = minimalFrames(faces)
@@ -78,7 +79,7 @@ export function measureMinimalCpu(faces) {
   return { moving: perFace(all, CROWD_FACES.moving), still: perFace(none, CROWD_FACES.still) }
 }
 
-/** Returns medians over rounds of `frames` frames. */
+/** Returns the microseconds and allocated bytes per frame, as medians over rounds of `frames` frames each. */
 function measure(frame, frames) {
   for (let i = 0; i < 3 * frames; i++) frame(i)
   const rounds = Array.from({ length: ROUNDS }, (_, round) => {
@@ -98,7 +99,10 @@ function measure(frame, frames) {
   }
 }
 
-/** Returns functions that run a frame in which all, none or few faces change all weights. */
+/**
+ * Returns three functions, each of which runs one frame of a crowd. `all` changes the weights of every face, `few` changes the weights of one
+ * face in a hundred, and `none` changes no weights.
+ */
 function crowdFrames(faces) {
   const geometry = createPlane()
   const mesh = new InstancedMesh(geometry, new MeshStandardMaterial(), faces)
@@ -113,7 +117,7 @@ function crowdFrames(faces) {
   const { data, width } = morphTexture.image
   const weights = [0, 1].map((frame) => data.map((_, i) => ((frame * 7 + i * 13) % 100) / 100))
   const draw = frameRunner(mesh)
-  // Sets all weights at once, because `setMorphAt` is not the library's time.
+  // Replaces all weights at once. `setMorphAt` per face would add time that the library does not cause.
   const show = (shown) => {
     morphTexture.image.data = shown
     morphTexture.needsUpdate = true
@@ -125,10 +129,10 @@ function crowdFrames(faces) {
   return { all: (i) => show(weights[i % 2]), none: draw, few: (i) => show(mixed[i % 2]) }
 }
 
-/** Numbers per quad: position, texel, activation and area of four corners. */
+/** Numbers per quad. Each of its four corners has a position (2 numbers), a texel (2 numbers), an activation and the index of an area. */
 const QUAD_SIZE = 24
 
-/** Returns the frames `all` and `none` of `crowdFrames` without the library. */
+/** Returns functions that run the frames `all` and `none` of `crowdFrames` without the library. */
 function minimalFrames(faces) {
   const weights = [0, 1].map((frame) =>
     Float32Array.from({ length: faces * TARGETS }, (_, i) => ((frame * 7 + i * 13) % 100) / 100),
@@ -180,7 +184,7 @@ function minimalFrames(faces) {
   return { all: (i) => run(weights[i % 2]), none: () => run(weights[0]) }
 }
 
-/** Returns a function that runs frame `index`, in which all weights change. */
+/** Creates one face. Returns a function that changes all its weights and runs frame `index`. */
 function movingFace(allTypes, customClock) {
   const geometry = createPlane()
   const { count } = geometry.getAttribute('position')
@@ -198,7 +202,7 @@ function movingFace(allTypes, customClock) {
     ...areas.map(({ name }, i) => morphDriver(name, i)),
     ...(allTypes ? areas.flatMap(({ name }, i) => otherDrivers(name, i)) : []),
   ])
-  // Integer milliseconds: JavaScript allocates 16 bytes for a fraction, as returned by `performance`.
+  // Integers, because JavaScript allocates 16 bytes for a fraction, and `performance.now()` returns fractions.
   let milliseconds = 0
   if (customClock) wrinkles.clock = { now: () => milliseconds }
   const draw = frameRunner(mesh)
@@ -214,7 +218,6 @@ function movingFace(allTypes, customClock) {
   }
 }
 
-/** Creates a surface with blendshapes. */
 function createPlane() {
   const geometry = new PlaneGeometry(1, 1, 16, 16)
   const { count } = geometry.getAttribute('position')
@@ -234,7 +237,6 @@ function createSet() {
   return { layers: [{ name: 'all', kind: 'detail', normal }], areas }
 }
 
-/** Returns a function that runs a mesh's next frame on a stub renderer. */
 function frameRunner(mesh) {
   const renderer = idleRenderer()
   const scene = new Scene()
@@ -245,7 +247,10 @@ function frameRunner(mesh) {
   }
 }
 
-/** Creates one area's driver by type; nothing for types without an evaluation. A test compares the types with the registry. */
+/**
+ * Functions that create a driver for an area, by driver type. They return null or false if no driver of the type is measured for this area.
+ * A test checks that all driver types except `morph` are listed.
+ */
 export const OTHER_DRIVERS = {
   age: (area) => ({ type: 'age', area, curve: CURVE }),
   input: (area) => ({ type: 'input', name: 'stress', area, curve: CURVE }),
@@ -259,7 +264,7 @@ export const OTHER_DRIVERS = {
     curve: CURVE,
   }),
   conflict: (_, i) => ({ type: 'conflict', targets: [`target${i % TARGETS}`, `target${(i + 7) % TARGETS}`] }),
-  // The last area reads no other: that would be a cycle.
+  // Each area reads the next one. The last area reads none, because reading the first one would form a cycle.
   area: (area, i) =>
     i + 1 < AREAS && {
       type: 'area',
@@ -269,9 +274,9 @@ export const OTHER_DRIVERS = {
       curve: CURVE,
     },
   tension: (area, i) => i < TENSION_AREAS && { type: 'tension', area, measure: 'compression', curve: CURVE },
-  // Evaluated with its morph target.
+  // A muscle is evaluated as a morph target.
   muscle: () => null,
-  // A preset for players.
+  // An expression activates nothing until an application plays it.
   expression: () => null,
 }
 
@@ -290,7 +295,7 @@ function morphDriver(area, i) {
   return { type: 'morph', area, targets, rule: 'sum', curve: CURVE }
 }
 
-/** Index of the blendshape that link `k` of area `i` reads. */
+/** Index of the blendshape that the morph driver of area `i` reads as its `k`-th target. */
 function linkedTarget(i, k) {
   return (i * 5 + k * 11) % TARGETS
 }

@@ -1,10 +1,11 @@
-// Runs the benchmark's page in Node: Dawn (npm `webgpu`) replaces the browser's WebGPU, sharp its image decoders, a stub its canvas.
+// Emulates a browser in Node, so that the benchmark's page can run there: Dawn (npm `webgpu`) provides WebGPU, and sharp decodes images.
+// The canvas is a stub.
 
 import sharp from 'sharp'
 import { Texture } from 'three'
 import { create, globals } from 'webgpu'
 
-/** Decoded RGBA bytes. Replaces `ImageBitmap`, which only browsers can upload. */
+/** An image as decoded RGBA bytes. Replaces `ImageBitmap`, which only browsers can upload to the GPU. */
 class PixelBitmap {
   constructor(data, { width, height }) {
     Object.assign(this, { data, width, height })
@@ -12,12 +13,12 @@ class PixelBitmap {
   close() {}
 }
 
-/** Used by three.js to report downloads. */
+/** Node lacks this class, which three.js uses to report downloads. */
 class ProgressEvent extends Event {}
 
-/** Defines the browser's globals. Throws if Dawn finds no adapter. */
+/** Defines the browser globals that the page uses. Throws if Dawn finds no GPU adapter. */
 export async function emulateBrowser() {
-  // Quantised timestamps of 0.1 ms are coarser than some frames.
+  // Dawn rounds timestamps to 0.1 ms by default, but some frames are shorter.
   const gpu = create(['disable-dawn-features=timestamp_quantization'])
   if (!(await gpu.requestAdapter())) {
     throw new Error(
@@ -37,7 +38,7 @@ export async function emulateBrowser() {
   uploadPixels()
 }
 
-/** Creates a stub: the benchmark renders to a render target. */
+/** Creates a stub canvas. The benchmark never draws to a canvas, only to a render target. */
 function createCanvas() {
   const context = { configure() {}, unconfigure() {} }
   return { style: {}, addEventListener() {}, removeEventListener() {}, getContext: () => context }
@@ -52,7 +53,7 @@ async function decode(blob) {
   return new PixelBitmap(new Uint8Array(data), info)
 }
 
-/** Makes three.js upload decoded pixels as data textures. */
+/** Makes three.js treat a texture as a data texture if its image is a `PixelBitmap`. */
 function uploadPixels() {
   Object.defineProperty(Texture.prototype, 'isDataTexture', {
     get() {

@@ -1,10 +1,9 @@
-// Hosts of the benchmark's page. `name` has the host's version and system. `open` returns the functions of a new page (`BenchPage` in
-// page/page.ts), callable from this process.
+// Two hosts that run the benchmark's page: Chromium, and Node without a browser. A host's `name` includes its version and the operating system.
+// Its `open` opens a page and returns functions that call the page's functions (`BenchPage` in page/page.ts) from this process.
 
 import { emulateBrowser } from './dawn.mjs'
 import { launchTimed, openPage } from './serve.mjs'
 
-/** Starts a browser, with all renderers. */
 export async function chromiumHost(server) {
   const browser = await launchTimed(server)
   return {
@@ -21,7 +20,7 @@ export async function chromiumHost(server) {
   }
 }
 
-/** Uses this process, with WebGPU only, without a browser or display. */
+/** Runs the page in this Node process, without a browser or display. Supports only WebGPU. */
 export async function nodeHost(server) {
   await emulateBrowser()
   await server.ssrLoadModule('/bench/page/page.ts')

@@ -1,2 +1,2 @@
-/** Creates a stub renderer with the members that wrinkles use before a mesh is drawn. */
+/** Creates a stub renderer with the members that `Wrinkles` uses before three.js draws its mesh. */
 export function idleRenderer(): { info: { calls: number } }

@@ -1,4 +1,4 @@
-/** Creates a stub renderer with the members that wrinkles use before a mesh is drawn. */
+/** Creates a stub renderer with the members that `Wrinkles` uses before three.js draws its mesh. */
 export function idleRenderer() {
   const properties = { __webglTexture: true }
   return {

@@ -4,14 +4,13 @@ import type { RendererKind } from '../stage/stage.ts'
 import { RENDERER_KINDS } from './case.ts'
 import type { Result } from './report.ts'
 
-/** Browser and date of a run. */
 export interface Machine {
-  /** Browser or host, with version and system. */
+  /** Name and version of the browser, or of Dawn in Node, and the operating system. */
   browser: string
   date: Date
 }
 
-/** Ratio columns. */
+/** Columns with frame times relative to the plain face, which has no wrinkles. */
 const RATIOS: readonly { title: string; variant: string; maps: Result['maps'] }[] = [
   ...['furrow', 'stripped', 'jimenez', 'o3de'].map(
     (variant) => ({ title: variant, variant, maps: 'normals' }) as const,
@@ -21,7 +20,6 @@ const RATIOS: readonly { title: string; variant: string; maps: Result['maps'] }[
   ),
 ]
 
-/** Variants needed for a line. */
 export const LINE_VARIANTS: readonly string[] = ['plain', ...new Set(RATIOS.map(({ variant }) => variant))]
 
 const TITLES = [
@@ -35,12 +33,12 @@ const TITLES = [
   'versions',
 ]
 
-/** Markdown heading of a table of lines. */
+/** Markdown heading of the table whose rows `toLine` returns. */
 export const LINE_HEADING: string = [TITLES, TITLES.map(() => '---')].map(toRow).join('\n')
 
 /**
- * Formats a run as a row of the table in bench/machines.md, with the cases of 8 areas and one layer. A semicolon separates WebGL and
- * WebGPU, a comma moving and still areas. A dash means not measured.
+ * Formats a benchmark run as a row of the table in bench/machines.md. The row lists the cases with 8 areas and one layer. A semicolon separates
+ * WebGL from WebGPU, and a comma separates moving from still wrinkles. A dash means that the case was not measured.
  */
 export function toLine(results: readonly Result[], { browser, date }: Machine): string {
   const shown = results.filter(({ areas, active, layers }) => areas === 8 && active === 8 && layers === 1)
@@ -74,7 +72,6 @@ export function toLine(results: readonly Result[], { browser, date }: Machine): 
   ])
 }
 
-/** Formats a Markdown row, escaping its cells. */
 function toRow(cells: readonly string[]): string {
   return `| ${cells.map((cell) => cell.replaceAll(/\s+/g, ' ').replaceAll('|', '\\|')).join(' | ')} |`
 }

@@ -1,4 +1,4 @@
-/** Returns the median, or the upper of the two middle numbers. */
+/** Returns the median. For an even number of values, returns the larger of the two middle values. */
 export function median(numbers) {
   return [...numbers].sort((a, b) => a - b)[Math.floor(numbers.length / 2)]
 }

@@ -1,4 +1,4 @@
-// Shared options of the benchmarks.
+// Parsers of command line options that several benchmarks share. They throw if the text is invalid.
 
 export function parseRounds(text) {
   if (/^[1-9]\d?$/.test(text)) return Number(text)

@@ -1,4 +1,4 @@
-// Measures the frame times of Furrow's modes relative to the plain face, in the few cases of `npm run ratios`.
+// Measures ratios for `npm run ratios`: the frame time of a Furrow mode divided by the frame time of the face without wrinkles.
 
 import { readFileSync, writeFileSync } from 'node:fs'
 import { chromiumHost } from './hosts.mjs'
@@ -6,19 +6,19 @@ import { serve } from './serve.mjs'
 
 const FIGURES = new URL('ratios.json', import.meta.url)
 
-/** Growth of a ratio without a warning. */
+/** A ratio may exceed its stored figure by this much without a warning. */
 const ALLOWED = 0.05
 
 const SIZE = { width: 400, height: 300 }
 const ROUNDS = 2
 
-/** Lists the variants to measure in a case. Still faces are skipped: the default mode costs the same as moving. */
+/** Lists the variants to measure in a case. Still faces are skipped, because the default mode costs the same for still and moving faces. */
 function variantsOf({ still, maps }) {
   if (still) return []
-  return maps === 'all' ? ['furrow'] : ['furrow', 'composed']
+  return maps === 'normals' ? ['furrow', 'composed'] : ['furrow']
 }
 
-/** Measures the ratios to the plain face with wanted names. */
+/** Measures the ratios whose names `isWanted` accepts. Returns them by name. */
 async function measureRatios(isWanted) {
   const server = await serve()
   try {
@@ -48,11 +48,16 @@ async function measureRatios(isWanted) {
   }
 }
 
+const MAPS = { normals: '', all: ', all maps', onset: ', all maps and onset' }
+
 function nameRatio(renderer, variant, { still, maps }) {
-  return `${renderer}, ${variant}, ${still ? 'still' : 'moving'}${maps === 'all' ? ', all maps' : ''}`
+  return `${renderer}, ${variant}, ${still ? 'still' : 'moving'}${MAPS[maps]}`
 }
 
-/** Measures ratios, and repeats those above their figures: other processes may slow down single variants. */
+/**
+ * Measures all ratios, and repeats the measurement of ratios that exceed their stored figures. Keeps the smaller of both values, because other processes
+ * may have slowed down the first measurement.
+ */
 export async function measureTwice(figures) {
   const first = await measureRatios(() => true)
   const suspect = grownNames(first, figures)
@@ -63,17 +68,15 @@ export async function measureTwice(figures) {
   )
 }
 
-/** Reads the repository's figures. */
 export function readFigures() {
   return JSON.parse(readFileSync(FIGURES, 'utf8'))
 }
 
-/** Stores ratios as the repository's figures. */
 export function writeFigures(ratios) {
   writeFileSync(FIGURES, `${JSON.stringify(ratios, null, 2)}\n`)
 }
 
-/** Returns one warning per ratio that has grown. */
+/** Returns a warning for each ratio that exceeds its stored figure by more than `ALLOWED`. */
 export function warnings(ratios, figures) {
   return grownNames(ratios, figures).map((name) => {
     const change = `from ${figures[name].toFixed(2)} to ${ratios[name].toFixed(2)} of the plain face`
@@ -81,7 +84,7 @@ export function warnings(ratios, figures) {
   })
 }
 
-/** Lists the ratios that have grown. Ratios without a figure are new. */
+/** Lists the names of ratios that have grown by more than `ALLOWED`. Ratios without a stored figure are not listed. */
 function grownNames(ratios, figures) {
   return Object.keys(ratios).filter((name) => ratios[name] > figures[name] + ALLOWED)
 }

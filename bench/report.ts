@@ -6,13 +6,12 @@ import { median, ratio, spread } from './statistics.ts'
 /** Measurements of one variant in one case. */
 export interface Measured {
   variant: string
-  /** Mean milliseconds per frame by round. Each round compiles the variant. */
+  /** Milliseconds per frame, one number per round. */
   rounds: number[]
-  /** Fraction of pixels that differ from the plain face, 0..1. */
+  /** Fraction of pixels that differ from the face without wrinkles, 0..1. */
   changed: number
 }
 
-/** Picture size, renderer and GPU of a measurement. */
 export interface Setup {
   width: number
   height: number
@@ -21,18 +20,19 @@ export interface Setup {
   timing: TimedRenderer['timing']
 }
 
-/** One entry of the JSON output. */
+/** One entry of the benchmark's JSON output. */
 export interface Result extends Case, Setup {
   variant: string
   medianMs: number
-  /** Interquartile range of the rounds. */
+  /** Interquartile range of the rounds, milliseconds. */
   spreadMs: number
+  /** Frame time divided by that of `plain`, the face without wrinkles. */
   ratioToPlain: number
-  /** Null if the paper's shader does not support the case. */
+  /** Frame time divided by that of `paper`. Null if `paper` does not support the case. */
   ratioToPaper: number | null
 }
 
-/** Computes results relative to the plain face. Throws if it was not measured. */
+/** Computes the results of a case. Throws if the variant `plain` was not measured. */
 export function toResults(benchCase: Case, setup: Setup, measured: readonly Measured[]): Result[] {
   const plain = measured.find(({ variant }) => variant === 'plain')
   const paper = measured.find(({ variant }) => variant === 'paper')
@@ -62,7 +62,6 @@ const COLUMNS = [
   '/ paper',
 ]
 
-/** Formats results as a Markdown table. */
 export function toTable(results: readonly Result[]): string {
   const rows = results.map((result) => [
     result.renderer,

@@ -1,4 +1,4 @@
-// `npm run bench`, `npm run bench -- --quick`: times wrinkles and a plain face. See README.md.
+// `npm run bench`: measures the frame time of a face with wrinkles, by several techniques, and without wrinkles. See README.md.
 
 import { writeFile } from 'node:fs/promises'
 import { parseArgs } from 'node:util'
@@ -17,7 +17,7 @@ const { values: options } = parseArgs({
 })
 
 await setUp()
-// Imports packages that `setUp` installs and builds.
+// These modules import packages that `setUp` installs and builds, so they are imported after it.
 const { measureCpu, measureCrowdCpu, measureMinimalCpu } = await import('./cpu.mjs')
 const { chromiumHost, nodeHost } = await import('./hosts.mjs')
 const { runServed, serve } = await import('./serve.mjs')
@@ -25,7 +25,7 @@ const { measureSizes } = await import('./size.mjs')
 
 const server = await serve()
 await runServed(server, run)
-// Dawn keeps the process alive.
+// Without this call, Dawn would keep the process running.
 if (options.node) process.exit()
 
 async function run() {
@@ -55,7 +55,7 @@ async function run() {
         found.push(...toResults(benchCase, setup, await page.measure(benchCase, plan)))
         const [done, total] = [i * cases.length + k + 1, renderers.length * cases.length]
         progress(done, total)
-        // Logs have no progress bar.
+        // `withBar` shows progress only on a terminal.
         if (!process.stderr.isTTY) process.stderr.write(`bench: ${done} of ${total} cases\n`)
       }
       updates.push([renderer, await page.measureUpdates(plan)])

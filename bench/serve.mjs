@@ -4,7 +4,7 @@ import { SOURCES } from '../scripts/lib/sources.mjs'
 
 export const ROOT = fileURLToPath(new URL('..', import.meta.url))
 
-/** Serves the repository to browsers, and to this process by `ssrLoadModule`. The caller closes the server. */
+/** Starts a Vite server for the repository. Browsers load pages from it, and this process loads modules with `ssrLoadModule`. Close it after use. */
 export async function serve() {
   const server = await createServer({
     root: ROOT,
@@ -28,7 +28,7 @@ export async function serve() {
   return server.listen()
 }
 
-/** Runs a benchmark and closes its server. Prints an error as one line. */
+/** Runs a benchmark, then closes the server. Prints the message of an error and sets exit code 1. */
 export async function runServed(server, run) {
   try {
     await run()
@@ -40,14 +40,14 @@ export async function runServed(server, run) {
   }
 }
 
-/** Starts a browser for timing frames. */
+/** Starts a browser with exact WebGPU timestamps. */
 export async function launchTimed(server) {
   const { launchBrowser } = await server.ssrLoadModule('/packages/cli/src/browser.ts')
-  // By default WebGPU timestamps are quantised to 0.1 ms.
+  // Without this flag, Chromium rounds WebGPU timestamps to 0.1 ms.
   return launchBrowser(['--enable-webgpu-developer-features'])
 }
 
-/** Opens a page and waits until it defines the global named `ready`. */
+/** Opens a page of the server and waits until the page has defined the global variable named by `ready`. */
 export async function openPage(server, browser, path, ready) {
   const { newPage } = await server.ssrLoadModule('/packages/cli/src/browser.ts')
   const page = await newPage(browser)

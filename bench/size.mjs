@@ -1,4 +1,4 @@
-// Measures a page's download: minified, compressed per file, without three.js and other peers.
+// Measures how many bytes of the library a page downloads. Files are minified and compressed, and three.js and other peer dependencies are excluded.
 
 import { brotliCompressSync, gzipSync } from 'node:zlib'
 import { build } from 'vite'
@@ -18,11 +18,11 @@ const PAGES = {
   'all of furrow/babylon': "import * as used from 'furrow/babylon'",
 }
 
-/** Lazy chunks, with patterns of their source files. */
+/** Lazy chunks by name. The regular expression of a chunk matches the path of its entry module. */
 const LAZY = { relief: /relief-web/, 'automatic wrinkles': /auto-wrinkles/, 'KTX 2': /ktx2/ }
 
 /**
- * Measures the bytes of each page, and of the lazy chunks of pages with a loader.
+ * Measures the compressed bytes of each page in `PAGES`, and those of the lazy chunks of pages that import only a loader.
  *
  * @returns {Promise<Record<string, { gzip: number, brotli: number }>>}
  */
@@ -45,7 +45,6 @@ export async function measureSizes() {
 
 const PAGE = 'virtual:page'
 
-/** Bundles a page. Returns its entry chunk first. */
 async function bundle(code) {
   const { NODE_ENV } = process.env
   const { output } = await build({
@@ -57,9 +56,9 @@ async function bundle(code) {
     build: {
       write: false,
       minify: true,
-      // Omits Vite's helper for dynamic imports.
+      // With `ssr`, Vite does not add its helper for dynamic imports.
       ssr: true,
-      // Not in library mode, which keeps whitespace.
+      // This is not Vite's library mode, because library mode keeps whitespace.
       rolldownOptions: { input: PAGE, external: PEERS },
     },
   })
@@ -68,7 +67,7 @@ async function bundle(code) {
   return output.filter(({ type }) => type === 'chunk').sort((a, b) => Number(b.isEntry) - Number(a.isEntry))
 }
 
-/** Collects chunks and their direct and indirect imports. `kinds` selects static and dynamic imports. */
+/** Returns `chunks` and all chunks that they import, directly or indirectly. `kinds` selects static imports, dynamic imports, or both. */
 export function closure(chunks, all, kinds = ['imports']) {
   const found = new Set(chunks)
   for (const each of found) {
@@ -80,7 +79,7 @@ export function closure(chunks, all, kinds = ['imports']) {
   return [...found]
 }
 
-/** Sums compressed sizes. Files are compressed separately, as servers do. */
+/** Sums the compressed sizes of chunks, in bytes. Each chunk is compressed separately, as servers do. */
 export function compressed(chunks) {
   const sum = (compress) => chunks.reduce((total, { code }) => total + compress(code).length, 0)
   return {

@@ -1,19 +1,24 @@
+/** Returns the mean, or NaN without values. */
+export function mean(values: readonly number[]): number {
+  return values.reduce((sum, value) => sum + value, 0) / values.length
+}
+
 /** Returns the median, or NaN without values. */
 export function median(values: readonly number[]): number {
   return quantile(values, 0.5)
 }
 
-/** Returns the interquartile range. */
+/** Returns the interquartile range, or NaN without values. */
 export function spread(values: readonly number[]): number {
   return quantile(values, 0.75) - quantile(values, 0.25)
 }
 
-/** Returns the order of the variants in a round. Rounds start with different variants, because the first is slower. */
+/** Returns the order in which a round measures the variants. Each round starts with a different one, because the first measurement is slower. */
 export function roundOrder(count: number, round: number): number[] {
   return Array.from({ length: count }, (_, i) => (i + round) % count)
 }
 
-/** Returns the ratio of the fastest rounds. Other processes and bad shader compilations only slow rounds down. */
+/** Returns the fastest round divided by the fastest round of `base`. Minima are used, because disturbances only slow rounds down. */
 export function ratio(rounds: readonly number[], base: readonly number[]): number {
   return Math.min(...rounds) / Math.min(...base)
 }

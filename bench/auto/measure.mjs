@@ -1,5 +1,5 @@
-// `node bench/auto/measure.mjs face.glb 1024`: makes wrinkles as `furrow auto` does, from the packages' builds. Prints milliseconds by stage
-// and the process's peak memory as JSON.
+// `node bench/auto/measure.mjs face.glb 1024`: runs the steps of `furrow auto` once, with the built packages. Prints as JSON, for each stage, the
+// CPU time of all threads in seconds, and the peak memory so far in megabytes.
 
 import { mkdtemp, rm } from 'node:fs/promises'
 import { tmpdir } from 'node:os'
@@ -19,11 +19,12 @@ const stages = {}
 let stage = 'start'
 let since = 0
 
-/** Begins a stage unless it is the current one. The first stage starts with the process. */
+/** Ends the current stage and begins `next`, unless `next` is the current stage. The first stage starts with the process. */
 function begin(next) {
   if (next === stage) return
-  const now = performance.now()
-  stages[stage] = now - since
+  const { user, system } = process.cpuUsage()
+  const now = (user + system) / 1e6
+  stages[stage] = { seconds: now - since, megabytes: process.resourceUsage().maxRSS / 1024 }
   stage = next
   since = now
 }
@@ -45,5 +46,4 @@ try {
 } finally {
   await rm(folder, { recursive: true })
 }
-const megabytes = process.resourceUsage().maxRSS / 1024
-process.stdout.write(JSON.stringify({ stages, megabytes }))
+process.stdout.write(JSON.stringify({ stages }))

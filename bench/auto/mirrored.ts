@@ -8,17 +8,19 @@ import { decimate, foldUvs } from '../../test/heads.ts'
 const TRIANGLES = [742, 20_000]
 /** Ball radius, metres. */
 const RADIUS = 0.1
-/** Number of blendshapes; each compresses the ball in another direction. */
+/** Number of blendshapes of the ball. Each compresses it in a different direction. */
 const SQUEEZES = 8
-/** Relative compression. */
+/** Fraction by which a blendshape shortens the ball. */
 const SQUEEZE = 0.3
 
 const io = new NodeIO().setLogger(new Logger(Logger.Verbosity.SILENT)).registerExtensions(ALL_EXTENSIONS)
 
 /**
- * Writes a face and a featureless ball, both with the left and right halves on the same texels.
+ * Writes a simplified face and a featureless ball, each with 742 and with 20,000 triangles. The left and right halves of each mesh share texture
+ * coordinates.
  *
- * @param face path of a face with the mesh `skin`.
+ * @param face path of a glTF file with a mesh named `skin`.
+ * @param folder folder for the files.
  * @returns paths of the files.
  */
 export async function writeMirrored(face: string, folder: string): Promise<string[]> {
@@ -47,7 +49,6 @@ function trianglesOf(document: Document): number {
   return skin!.getIndices()!.getCount() / 3
 }
 
-/** Creates a ball with one UV island and blendshapes that compress all of it. */
 function createBall(triangles: number): Document {
   const side = Math.round(Math.sqrt(triangles / 2))
   const [positions, uvs, indices]: number[][] = [[], [], []]
@@ -92,7 +93,7 @@ function createBall(triangles: number): Document {
   return document
 }
 
-/** Returns offsets that compress positions along a direction in the xy plane. */
+/** Returns the offset of each vertex for a blendshape that compresses the ball along a direction in the xy plane. `angle` is in radians. */
 function squeeze(positions: readonly number[], angle: number): Float32Array<ArrayBuffer> {
   const [x, y] = [Math.cos(angle), Math.sin(angle)]
   return Float32Array.from(positions, (_, i) => {

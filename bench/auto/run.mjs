@@ -1,4 +1,4 @@
-// `node bench/auto/run.mjs [face.glb] [--size 1024] [--json FILE]`: times `furrow auto` by stage. See README.md.
+// `node bench/auto/run.mjs [face.glb] [--size 1024] [--json FILE]`: measures CPU time and memory of each stage of `furrow auto`. See README.md.
 
 import { execFile } from 'node:child_process'
 import { existsSync, readFileSync, rmSync } from 'node:fs'
@@ -29,22 +29,24 @@ const cases = faces.flatMap((face) => sizes.map((size) => ({ face, size, rounds:
 for (let round = 0; round < ROUNDS; round++) {
   for (const { face, size, rounds } of cases) rounds.push(await measure(face, size))
 }
-const results = cases.map(({ face, size, rounds }) => ({
-  face: basename(face),
-  size: Number(size),
-  milliseconds: Object.fromEntries(
-    STAGES.map((stage) => [stage, median(rounds.map(({ stages }) => stages[stage]))]),
-  ),
-  total: median(rounds.map(({ stages }) => STAGES.reduce((sum, stage) => sum + stages[stage], 0))),
-  megabytes: median(rounds.map((round) => round.megabytes)),
-}))
+const results = cases.map(({ face, size, rounds }) => {
+  const of = (value) => median(rounds.map(value))
+  const stages = STAGES.map((stage) => ({
+    stage,
+    seconds: of(({ stages }) => stages[stage].seconds),
+    megabytes: of(({ stages }) => stages[stage].megabytes),
+  }))
+  const seconds = of(({ stages }) => STAGES.reduce((sum, stage) => sum + stages[stage].seconds, 0))
+  return { face: basename(face), size: Number(size), stages, seconds }
+})
 process.stdout.write(
   `${processorName()}, ${cpus().length} cores, Node ${process.version}; median of ${ROUNDS} rounds\n\n`,
 )
-process.stdout.write(table(results))
+process.stdout.write(timeTable(results))
+process.stdout.write(`\n${memoryTable(results)}`)
 if (options.json) await writeFile(options.json, `${JSON.stringify(results, null, 2)}\n`)
 
-/** Lists the existing faces, and writes faces with mirrored UVs. */
+/** Writes files with mirrored UVs to the temporary folder. Returns their paths, and the paths of the existing files in `FACES`. */
 async function allFaces() {
   const { writeMirrored } = await import(await bundle('bench/auto/mirrored.ts'))
   return [...FACES.filter((path) => existsSync(path)), ...(await writeMirrored(FACES[0], folder))]
@@ -61,19 +63,25 @@ function processorName() {
   return model ? model[1] : cpus()[0].model
 }
 
-/** Formats results as a Markdown table, in seconds. */
-function table(rows) {
-  const head = ['face', 'size', ...STAGES, 'all', 'memory']
-  const cells = rows.map(({ face, size, milliseconds, total, megabytes }) => [
+function timeTable(rows) {
+  const cells = rows.map(({ face, size, stages, seconds }) => [
     face,
     size,
-    ...STAGES.map((stage) => seconds(milliseconds[stage])),
-    `**${seconds(total)}**`,
-    `${Math.round(megabytes)} MB`,
+    ...stages.map((stage) => stage.seconds.toFixed(2)),
+    `**${seconds.toFixed(2)}**`,
   ])
-  return `${[head, head.map(() => '---'), ...cells].map((row) => `| ${row.join(' | ')} |`).join('\n')}\n`
+  return table([['face', 'size', ...STAGES, 'all'], ...cells])
 }
 
-function seconds(milliseconds) {
-  return (milliseconds / 1000).toFixed(2)
+function memoryTable(rows) {
+  const cells = rows.map(({ face, size, stages }) => [
+    face,
+    size,
+    ...stages.map(({ megabytes }) => Math.round(megabytes)),
+  ])
+  return table([['face', 'size', ...STAGES], ...cells])
+}
+
+function table([head, ...cells]) {
+  return `${[head, head.map(() => '---'), ...cells].map((row) => `| ${row.join(' | ')} |`).join('\n')}\n`
 }

@@ -1,4 +1,4 @@
-/** Times a face in Babylon.js with and without wrinkles; opened by `run.mjs`. */
+/** Page that measures the frame time of a face in Babylon.js with and without wrinkles. `run.mjs` opens it. */
 import { FreeCamera } from '@babylonjs/core/Cameras/freeCamera.js'
 import { Engine } from '@babylonjs/core/Engines/engine.js'
 import { WebGPUEngine } from '@babylonjs/core/Engines/webgpuEngine.js'
@@ -21,10 +21,10 @@ import { roundOrder } from '../statistics.ts'
 
 export interface BabylonTimes {
   adapter: string
-  /** Milliseconds per frame by round. Each round compiles both variants. */
+  /** Milliseconds per frame, one number per round: `plain` without wrinkles, `furrow` with them. */
   plain: number[]
   furrow: number[]
-  /** Fraction of different pixels, 0..1. */
+  /** Fraction of pixels that the wrinkles change, 0..1. */
   changed: number
 }
 
@@ -44,9 +44,9 @@ const BLENDSHAPES = [
   'mouthSmileLeft',
   'jawOpen',
 ]
-/** Frames before timing, while shaders compile. */
+/** Number of frames that are drawn before timing, while shaders compile. */
 const WARM_UP = 20
-/** Frames timed together, within the clocks' limit. */
+/** Number of frames that are timed together. The WebGPU clock can time at most 2048 render passes together. */
 const FRAMES = 32
 
 registerWrinkleMaps()
@@ -101,7 +101,7 @@ function requireClock(clock: Clock | undefined): Clock {
   )
 }
 
-/** Creates a scene that shows the face from forehead to mouth. */
+/** Loads the face into a new scene whose camera shows it from forehead to mouth. */
 async function createFace(engine: AnyEngine, isWrinkled: boolean) {
   const scene = new Scene(engine)
   scene.useRightHandedSystem = true

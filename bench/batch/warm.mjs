@@ -1,5 +1,5 @@
-// `node bench/batch/warm.mjs FACE [SIZE] [RUNS]`: runs `furrow auto` repeatedly in one process; prints seconds and memory.
-// Add `node --cpu-prof` for a profile.
+// `node bench/batch/warm.mjs FACE [SIZE] [RUNS]`: runs `furrow auto` several times in one process. Prints the seconds, CPU time and memory of each
+// run. Start it with `node --cpu-prof` to record a CPU profile.
 
 import { mkdtempSync, rmSync } from 'node:fs'
 import { tmpdir } from 'node:os'

@@ -1,4 +1,4 @@
-/** Draws a face with Babylon.js and Furrow, as `page.ts` does with three.js. `?webgpu` selects WebGPU instead of WebGL. */
+/** Page that renders a face with Babylon.js and Furrow, as `page.ts` does with three.js. `?webgpu` selects WebGPU instead of WebGL. */
 import { FreeCamera } from '@babylonjs/core/Cameras/freeCamera.js'
 import { Engine } from '@babylonjs/core/Engines/engine.js'
 import { WebGPUEngine } from '@babylonjs/core/Engines/webgpuEngine.js'
@@ -19,7 +19,7 @@ import { AMBIENT, LAMPS, type Shot, SIZE } from './shots.ts'
 
 declare global {
   interface Window {
-    /** Returns a shot's picture as a PNG data URL, and the activations by area. */
+    /** Renders a face in the pose of a shot. Returns the picture as a PNG data URL, and the activations by area name. */
     drawWithBabylon(
       address: string,
       shot: Shot,
@@ -28,10 +28,10 @@ declare global {
   }
 }
 
-/** Background colour: the WebGPU canvas is opaque. */
+/** Background colour. Needed because the canvas is opaque on WebGPU. */
 const BACKGROUND = [40 / 255, 40 / 255, 40 / 255, 1] as const
 
-/** Frames until shaders are compiled and delays have passed. */
+/** Number of frames to draw before the picture, so that shaders are compiled and delayed activations have reached their final values. */
 const FRAMES = 10
 
 registerWrinkleMaps()
@@ -60,7 +60,7 @@ window.drawWithBabylon = async (address, shot, { position, target, fov }) => {
   wrinkles.clock = { now: () => milliseconds }
   await scene.whenReadyAsync()
   for (let i = 0; i < FRAMES; i++) {
-    // Skips delays, to show their final state.
+    // Advances by 10 s per frame, so that delayed activations reach their final values.
     milliseconds += 10_000
     engine.beginFrame()
     scene.render()
@@ -82,7 +82,7 @@ async function createEngine(canvas: HTMLCanvasElement): Promise<Engine | WebGPUE
   return engine
 }
 
-/** Adds lights without shadows. A hemispheric light without highlights replaces uniform ambient light. */
+/** Adds lights without shadows. A hemispheric light with equal colours and no highlights serves as uniform ambient light. */
 function light(scene: Scene): void {
   const sky = new HemisphericLight('ambient', Vector3.Up(), scene)
   sky.diffuse = sky.groundColor = Color3.White().scale(AMBIENT)

@@ -1,5 +1,5 @@
-// `npm run cycles:blender`: draws the pictures of docs/blender.md and docs/conformance.md. Shows the shipped face in three.js and Babylon.js, on
-// WebGL and WebGPU, and as imported by the Blender extension in Cycles. `npm run test:blender` installs Blender.
+// `npm run cycles:blender`: renders the pictures of docs/blender.md and docs/conformance.md. They show `faces/human.glb` in three.js and Babylon.js,
+// each on WebGL and WebGPU, and in Cycles, imported by the Blender extension. `npm run test:blender` installs Blender.
 
 import { execFile } from 'node:child_process'
 import { existsSync } from 'node:fs'
@@ -12,14 +12,14 @@ import { openPage, ROOT, runServed, serve } from '../serve.mjs'
 
 const PYTHON = join(ROOT, 'blender/.venv-4.5/bin/python')
 const BACKGROUND = { r: 40, g: 40, b: 40 }
-/** Angular diameter of a light, degrees. */
 const LAMP_ANGLE = 4
 const SAMPLES = 48
 const GAP = 8
-/** Picture width in rows of two and five, pixels. */
+/** Width of each picture in pixels, in a row of two pictures. */
 const WIDTH = 560
+/** Width of each picture in pixels, in a row of five pictures. */
 const WIDTH_OF_FIVE = 400
-/** The forehead, as fractions of a picture's side. */
+/** Rectangle of the forehead, as fractions of a picture's width and height. */
 const CROP = { left: 0.22, top: 0.2, width: 0.5, height: 0.26 }
 
 const SHOT = {
@@ -118,7 +118,7 @@ function difference(activations, expected) {
   return `activations differ from three.js by at most ${largest.toExponential(1)}`
 }
 
-/** Composes pictures from left to right, with their foreheads below. */
+/** Writes a figure with the pictures in a row, and an enlarged crop of the forehead below each. `side` is the pictures' size in pixels. */
 async function compose(pictures, side, width, path) {
   const part = Object.fromEntries(
     Object.entries(CROP).map(([name, value]) => [name, Math.round(value * side)]),

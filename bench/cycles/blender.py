@@ -1,9 +1,9 @@
-"""Renders a face with the Blender extension in Cycles.
+"""Renders a face with wrinkles in Cycles, imported by the Blender extension.
 
     python blender.py SCENE.json FOLDER
 
-The scene has the face, shape key weights, camera and lights in glTF's axes (+Y up), and three.js's activations in the same pose.
-Blender's activations are compared with them.
+The scene file lists the face, shape key weights, the camera and lights in glTF's axes (+Y up). It also lists the activations that three.js computed
+in the same pose. The script prints the largest difference between Blender's activations and those of three.js.
 """
 import json
 import sys

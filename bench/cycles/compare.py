@@ -2,7 +2,7 @@
 
     python compare.py REFERENCE.png LEFT TOP WIDTH HEIGHT DIFFERENCE.png PICTURE.png...
 
-Prints the mean difference of each picture within the crop as JSON, 0 (none) to 1. Draws the last picture's difference.
+Prints the mean FLIP error of each picture within the crop as JSON, 0 (equal) to 1. Writes a map of the last picture's errors to DIFFERENCE.png.
 """
 import json
 import sys

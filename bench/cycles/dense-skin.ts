@@ -1,4 +1,7 @@
-/** Builds the skin for Cycles: split finer than on a page, and displaced in float64 by the reference functions. */
+/**
+ * Builds the mesh of the skin for Cycles, and displaces it in float64. Its triangles are smaller than those that Furrow's relief draws in a
+ * browser.
+ */
 import { readFile } from 'node:fs/promises'
 import { join } from 'node:path'
 import { decodeGray } from 'furrow-files'
@@ -15,28 +18,35 @@ import { DeformedNormals } from '../../packages/furrow/src/math/deformed-normals
 import { coveredTriangles, maxHalvings } from '../../packages/furrow/src/relief/covered-triangles.ts'
 import { displace, displacement } from '../../packages/furrow/src/relief/displaced.ts'
 import { weightedTexels } from '../../packages/furrow/src/relief/height-fields.ts'
-import { outwardRoom } from '../../packages/furrow/src/relief/outward-room.ts'
+import { outwardClearance } from '../../packages/furrow/src/relief/outward-clearance.ts'
 import { splitMesh } from '../../packages/furrow/src/relief/split-mesh.ts'
 import type { Description } from './page.ts'
 
 const WHO = 'cycles'
 
-/** Maximum edge length, metres; several edges cross a narrow valley. */
+/** Maximum edge length in metres, so that even a narrow wrinkle is several edges wide. */
 const EDGE = 0.00035
 const MAX_TRIANGLES = 1_500_000
 
 /** Maximum displacement, metres. */
 const REACH = 0.002
 
-/** A mesh with packed xyz, uv, and rgb factors of the base colour from blood, per vertex. */
+/** A displaced mesh. */
 export interface Skin {
+  /** Packed xyz of each vertex, metres, world space. */
   positions: Float32Array
+  /** Packed uv of each vertex. */
   uvs: Float32Array
+  /** Packed rgb factors of each vertex, linear. Blood in the skin multiplies the base colour by them. */
   tints: Float32Array
   triangles: Uint32Array
 }
 
-/** @param folder output of `furrow unpack`. */
+/**
+ * Splits and displaces a face's skin.
+ *
+ * @param folder output of `furrow unpack`.
+ */
 export async function denseSkin({ skin, activations }: Description, folder: string): Promise<Skin> {
   const { uvs, triangles } = skin
   const { areas, heightAt, bloodAt } = await readWrinkles(folder, activations)
@@ -49,8 +59,8 @@ export async function denseSkin({ skin, activations }: Description, folder: stri
     skin.positions,
     normals,
   )
-  const room = finish(outwardRoom(mesh, skin.normals, dense.firstOf, REACH))
-  const moved = displace(dense, { positions: skin.positions, normals }, heightAt, room)
+  const clearance = finish(outwardClearance(mesh, skin.normals, dense.firstOf, REACH))
+  const moved = displace(dense, { positions: skin.positions, normals }, heightAt, clearance)
   const denseUvs = textureCoordinates(dense, uvs)
   const tints = new Float32Array(3 * dense.count)
   for (let i = 0; i < dense.count; i++) {
@@ -59,7 +69,10 @@ export async function denseSkin({ skin, activations }: Description, folder: stri
   return { positions: Float32Array.from(moved), uvs: denseUvs, tints, triangles: dense.triangles }
 }
 
-/** Reads a folder's areas, displacement in metres, and blood in optical depths of green light. */
+/**
+ * Reads the wrinkles of a folder. Returns the packed areas and two functions of texture coordinates: `heightAt` returns the displacement in metres,
+ * and `bloodAt` returns the optical depth of the blood for green light.
+ */
 async function readWrinkles(folder: string, activations: Record<string, number>) {
   const set = await readFolder(folder, false, WHO)
   const read = (path: string) => join(folder, decodeURIComponent(path))
@@ -105,7 +118,7 @@ async function readWrinkles(folder: string, activations: Record<string, number>)
   return { areas, heightAt, bloodAt }
 }
 
-/** Interpolates the triangles' coordinates, which differ on both sides of a seam. */
+/** Interpolates the texture coordinates of the split vertices from the corners of the original triangles. */
 function textureCoordinates(
   { count, corners, weights }: { count: number; corners: Uint32Array; weights: Float32Array },
   uvs: ArrayLike<number>,

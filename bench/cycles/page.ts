@@ -1,6 +1,6 @@
 /**
- * Draws a face with three.js and Furrow under Cycles' lights, and describes the scene for Cycles. `?webgl` and `?webgpu` select the
- * API and disable shadows, which differ between engines.
+ * Page that renders a face with three.js and Furrow, and describes the scene so that Cycles can render it too. `?webgl` and `?webgpu` select the API
+ * and disable shadows, because shadows differ between engines. By default, the page uses WebGL with shadows.
  */
 import * as webgl from 'furrow/three'
 import { frameFace, readWrinkleMaps, type WrinkleMode, type Wrinkles } from 'furrow/three'
@@ -23,29 +23,30 @@ import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 import { PMREMGenerator as NodePMREMGenerator, WebGPURenderer } from 'three/webgpu'
 import { AMBIENT, LAMPS, type Shot, SIZE } from './shots.ts'
 
-/** Scene for Cycles: metres, +Y up. */
+/** Description of the scene for Cycles, in metres with +Y up. */
 export interface Description {
+  /** `fov` is the vertical field of view, degrees. */
   camera: { position: number[]; target: number[]; fov: number }
   /** The mesh with wrinkles. */
   skin: {
     name: string
-    /** Packed xyz in world space: at rest and in the pose. */
+    /** Packed xyz of each vertex of the face at rest, world space. */
     rest: number[]
+    /** Packed xyz of each vertex in the pose, world space. */
     positions: number[]
-    /** Packed xyz at rest, world space. */
+    /** Packed xyz of each normal of the face at rest, world space. */
     normals: number[]
     uvs: number[]
     triangles: number[]
   }
-  /** Activations by area. */
   activations: Record<string, number>
 }
 
 declare global {
   interface Window {
-    /** Opens a face in the pose of a shot. */
+    /** Loads a face and poses it as the shot describes. */
     pose(address: string, shot: Shot): Promise<Description>
-    /** Returns the picture as a PNG data URL with a transparent background. */
+    /** Renders the posed face. Returns a PNG data URL with a transparent background. */
     draw(mode: WrinkleMode): string
   }
 }
@@ -74,7 +75,7 @@ window.pose = async (address, shot) => {
   const { Wrinkles, addDrivers } = isWebGPU ? webgpu : webgl
   wrinkles = new Wrinkles(meshes[0], set, { relief: shot.relief ?? 'on' }) as Wrinkles
   for (const mesh of meshes.slice(1)) wrinkles.addMesh(mesh)
-  // Skips delays, to show their final state.
+  // Without `time` drivers, activations have their final values at once.
   addDrivers(
     wrinkles,
     drivers.filter(({ type }) => type !== 'time'),
@@ -110,7 +111,7 @@ function pose(face: Object3D, targets: Record<string, number>): void {
   face.updateMatrixWorld()
 }
 
-/** Adds lights with shadows, as in Cycles. Eyelash cards cast none: shadow maps ignore their transparency. */
+/** Adds lights. Transparent eyelash cards cast no shadows, because shadow maps would treat them as opaque. */
 function light(face: Object3D): void {
   const ambient = new Scene()
   ambient.background = new Color(AMBIENT, AMBIENT, AMBIENT)
@@ -148,7 +149,6 @@ function light(face: Object3D): void {
   }
 }
 
-/** Reads the posed skin in world space. */
 function skinOf(mesh: Mesh): Description['skin'] {
   const { position, normal, uv } = mesh.geometry.attributes
   const count = position.count

@@ -1,9 +1,9 @@
-"""Renders a face in Blender's Cycles, with wrinkles as geometry and subsurface scattering.
+"""Renders a face in Blender's Cycles. Wrinkles are geometry, and the skin has subsurface scattering.
 
     python render.py SCENE.json PICTURE.png
 
-The scene has the face, the skin's name, the camera, lights and blendshape weights, in metres and glTF's axes (+Y up). Binary files
-beside the scene have the skin's vertices, texture coordinates, tints and triangles.
+The scene file lists the face, the name of the skin's mesh, the camera, lights and blendshape weights. Lengths are in metres, and +Y is up. Binary
+files in the same folder contain the displaced skin: vertices, texture coordinates, colour factors and triangles.
 """
 import json
 import math
@@ -14,7 +14,7 @@ import bpy
 import numpy as np
 from mathutils import Vector
 
-# Mean free paths of red, green and blue light in light skin, metres (H. W. Jensen et al., "A Practical Model for Subsurface Light
+# Mean free paths of red, green and blue light in pale skin, metres (H. W. Jensen et al., "A Practical Model for Subsurface Light
 # Transport", 2001, table 1, skin1).
 SCATTERING = (0.00367, 0.00137, 0.00068)
 # Fraction of diffuse light that scatters below the surface.
@@ -27,7 +27,7 @@ def to_blender(values):
     return np.stack([x, -z, y], -1)
 
 
-# Vertex colour attribute: base colour factors from blood.
+# Name of the vertex colours that multiply the base colour, to show blood in the skin.
 TINT = 'tint'
 
 
@@ -51,7 +51,7 @@ def replace_skin(name, folder):
     attribute = mesh.color_attributes.new(TINT, 'FLOAT_COLOR', 'POINT')
     attribute.data.foreach_set('color', np.insert(tints, 3, 1, axis=1).ravel())
     mesh.update(calc_edges=True)
-    # Welds seams, which would be shaded as creases.
+    # Welds the duplicate vertices at UV seams, because seams would look like creases.
     material = old.data.materials[0]
     mesh.materials.append(material)
     skin = bpy.data.objects.new('split skin', mesh)

@@ -11,10 +11,10 @@ import { openPage, ROOT, runServed, serve } from '../serve.mjs'
 const HERE = join(ROOT, 'bench/cycles')
 const FACES = { human: join(ROOT, 'faces/human.glb'), scan: join(ROOT, '../shared/real-face/ict-face.glb') }
 
-/** Blender as a Python module, and FLIP; 1.2 GB. */
+/** Python packages: Blender as a module, Pillow for image files, and FLIP. They take 1.2 GB. */
 const PACKAGES = ['bpy==4.5.15', 'pillow==12.0.0', 'flip-evaluator==1.7']
 
-/** Angular diameter of a light, degrees, for soft shadows. */
+/** Angular diameter of each light in degrees. Larger values make shadows softer. */
 const LAMP_ANGLE = 4
 const GAP = 8
 const BACKGROUND = { r: 40, g: 40, b: 40 }
@@ -54,7 +54,7 @@ async function main() {
   for (const row of [head, ...rows]) process.stdout.write(`${row.map((cell) => format(cell)).join('')}\n`)
 }
 
-/** Renders a shot with both. Returns the mean differences with and without wrinkles. */
+/** Renders a shot with three.js and with Cycles. Returns the mean FLIP error of the picture with wrinkles, and of the picture without. */
 async function compare(shot, page, python) {
   const { denseSkin } = await server.ssrLoadModule('/bench/cycles/dense-skin.ts')
   const { LAMPS, SIZE, AMBIENT } = await server.ssrLoadModule('/bench/cycles/shots.ts')
@@ -121,7 +121,10 @@ async function compare(shot, page, python) {
   return [withWrinkles, without]
 }
 
-/** Composes pictures without wrinkles, with wrinkles, and by Cycles. Below: the difference and the crops. */
+/**
+ * Writes a figure with two rows. The first row shows `pictures`: without wrinkles, with wrinkles, and by Cycles. The second row shows the map
+ * of FLIP errors in the compared crop, and this crop of the second and the third picture.
+ */
 async function compose(pictures, difference, [left, top, width, height], path) {
   const side = 600
   const full = pictures.map((picture) =>
@@ -161,12 +164,12 @@ function isWanted(name) {
   return options.only === undefined || options.only.includes(name)
 }
 
-/** The scan is not in this repository. */
+/** Returns whether the file of a face exists. The scan is not part of this repository. */
 function hasFace(face) {
   return existsSync(FACES[face])
 }
 
-/** Installs Blender if needed. Returns the path of its Python. */
+/** Installs Blender as a Python module if it is missing. Returns the path of the Python interpreter. */
 async function install() {
   const environment = join(CACHE, 'python')
   const python = join(environment, 'bin/python')
@@ -182,7 +185,6 @@ async function furrow(...args) {
   await run(process.execPath, [join(ROOT, 'packages/cli/dist/main.js'), ...args.map(String)])
 }
 
-/** Runs a program. Shows its output only if it fails. */
 async function pass(program, ...args) {
   const child = spawn(program, args, { stdio: ['ignore', 'pipe', 'pipe'] })
   let printed = ''

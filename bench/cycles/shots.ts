@@ -1,6 +1,6 @@
 import type { FaceView } from 'furrow/three'
 
-/** A directional light in glTF's axes: the face looks along +Z, and +X is its left. */
+/** A directional light, in glTF's axes. The face looks along +Z, and +X points to the person's left. */
 export interface Lamp {
   /** Direction to the light. */
   from: readonly [x: number, y: number, z: number]
@@ -8,18 +8,19 @@ export interface Lamp {
   strength: number
 }
 
-/** A picture rendered by both. */
+/** A picture that both three.js and Cycles render. */
 export interface Shot {
   name: string
+  /** `human` is `faces/human.glb`. `scan` is a scanned head that is not part of the repository. */
   face: 'human' | 'scan'
-  /** Age of the wrinkles, years. */
+  /** Age option of `furrow auto`, years. */
   age: number
   /** Weights of blendshapes, 0..1. */
   targets: Record<string, number>
   view: FaceView
-  /** Relief in three.js. Default: on. */
+  /** Whether height maps displace the surface in three.js. Default: on. */
   relief?: 'off' | 'on'
-  /** Compared part of the picture, as fractions of its size. */
+  /** Rectangle in which the pictures are compared, as fractions of their width and height. */
   crop: { left: number; top: number; width: number; height: number }
 }
 
@@ -30,7 +31,6 @@ export const LAMPS: readonly Lamp[] = [
   { from: [0.9, 0.8, -1.2], strength: 1.2 },
 ]
 
-/** Uniform ambient radiance. */
 export const AMBIENT = 0.22
 
 /** Width and height of pictures, pixels. */

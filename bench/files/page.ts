@@ -1,12 +1,11 @@
-/** Times loading the shipped face with and without wrinkles, in turns. */
+/** Page that measures how long `GLTFLoader` takes to load `faces/human.glb` with and without Furrow's plugin. */
 import { WrinkleLoaderPlugin } from 'furrow/three'
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 
+/** Milliseconds to load the file without and with the plugin, and to decode the images of the wrinkles. */
 export interface LoadTimes {
-  /** Milliseconds for the file without and with Furrow's plugin. */
   without: number
   with: number
-  /** Milliseconds for decoding the wrinkles' images. */
   images: number
 }
 
@@ -20,7 +19,7 @@ window.measure = async (rounds) => {
   const file = await (await fetch('/faces/human.glb')).arrayBuffer()
   const images = imagesOfWrinkles(file)
   const times: LoadTimes[] = []
-  // The first round compiles and is not counted.
+  // The first round only warms up.
   for (let i = 0; i <= rounds; i++) {
     const round = {
       without: await time(() => new GLTFLoader().parseAsync(file, '')),
@@ -44,7 +43,7 @@ async function time(work: () => Promise<unknown>): Promise<number> {
   return performance.now() - start
 }
 
-/** Returns the encoded images of FURROW_wrinkle_maps. */
+/** Returns the encoded images to which the glTF extension FURROW_wrinkle_maps refers. */
 function imagesOfWrinkles(file: ArrayBuffer): Blob[] {
   const length = new DataView(file).getUint32(12, true)
   const json = JSON.parse(new TextDecoder().decode(new Uint8Array(file, 20, length)))

@@ -1,5 +1,5 @@
-// `node bench/files/run.mjs [--rounds 15] [--json FILE]`: times packing and loading wrinkles, without decoding and encoding their images.
-// Needs `npm run build`.
+// `node bench/files/run.mjs [--rounds 15] [--json FILE]`: measures the time to pack and to load the wrinkles of a face, with and without the time of
+// image codecs. Run `npm run build` first.
 
 import { writeFileSync } from 'node:fs'
 import { cpus } from 'node:os'
@@ -16,7 +16,7 @@ const rounds = Number(options.rounds)
 
 const packed = await withBar('pack', async (progress) => {
   const times = []
-  // The first round warms up the codecs and is not counted.
+  // The first round only warms up.
   for (let i = 0; i <= rounds; i++) {
     const time = await packOnce(`${ROOT}faces`)
     if (i > 0) times.push(time)
@@ -51,7 +51,7 @@ for (const { name, wrinkles, images, withoutImages } of rows) {
 }
 if (options.json) writeFileSync(options.json, `${JSON.stringify(rows, null, 2)}\n`)
 
-/** Times loading in a browser, with the packages' sources. */
+/** Measures loading in a browser. Vite serves the packages' sources. */
 async function load() {
   const browser = await launchBrowser()
   try {

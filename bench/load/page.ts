@@ -1,18 +1,18 @@
-/** Times a face from its file to the first frame, after one frame of an empty scene. */
+/** Page that measures the time from a file's bytes to the first frame with the face. Before that, it draws one frame of an empty scene. */
 import { Box3, DirectionalLight, type Mesh, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three'
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 
-/** Milliseconds. */
+/** Times in milliseconds. */
 export interface FirstFrame {
-  /** From the file's bytes until the loader is done. */
+  /** Time that `GLTFLoader` takes to parse the file's bytes. */
   parsed: number
-  /** From then until the GPU has rendered the face. */
+  /** Time from the end of parsing until the GPU has rendered the face. */
   drawn: number
-  /** Longest gap between tasks before the frame: an upper bound of the longest task. */
+  /** Upper bound of the longest main-thread task while parsing. It is measured as the longest gap between messages that are posted continuously. */
   longest: number
 }
 
-/** Without wrinkles, or with Furrow's plugin. */
+/** `plain` loads the face without Furrow's plugin, `furrow` with it. */
 type Variant = 'plain' | 'furrow'
 
 declare global {
@@ -72,7 +72,6 @@ async function webgpu() {
   return { draw, extendLoader }
 }
 
-/** Creates a scene with the lit, frowning face. */
 function litFace({ scene: face }: GLTF, camera: PerspectiveCamera): Scene {
   const light = new DirectionalLight(0xffffff, 2)
   light.position.set(-1, 1.35, 0.95)
@@ -88,12 +87,12 @@ function litFace({ scene: face }: GLTF, camera: PerspectiveCamera): Scene {
   return new Scene().add(face, light)
 }
 
-/** Lets pending tasks run. */
+/** Resolves in a later task, so that pending tasks run first. */
 function yieldToTasks(): Promise<void> {
   return new Promise((resolve) => setTimeout(resolve))
 }
 
-/** Posts tasks continuously and measures the longest gap between them, milliseconds. */
+/** Posts messages continuously and measures the longest gap between two of them, milliseconds. */
 class Pulse {
   longest = 0
   #last = 0

@@ -1,5 +1,5 @@
-// `node bench/load/run.mjs [--rounds 9] [--renderer webgl] [--json FILE] [--pictures FOLDER]`: times a face from its file to the first
-// frame, with and without wrinkles.
+// `node bench/load/run.mjs [--rounds 9] [--renderer webgl] [--json FILE] [--pictures FOLDER]`: measures the time from a file's bytes to the
+// first frame with the face, with and without wrinkles.
 
 import { copyFileSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs'
 import { cpus, tmpdir } from 'node:os'
@@ -32,7 +32,7 @@ async function run() {
   const rows = []
   try {
     const first = async (renderer, variant, picture) => {
-      // A new page has no compiled shaders.
+      // A new page compiles its shaders again.
       const page = await newPage(browser)
       await page.setViewportSize({ width: 800, height: 600 })
       await page.goto(new URL('/bench/load/page.html', site.resolvedUrls.local[0]).href)
@@ -44,7 +44,7 @@ async function run() {
     }
     for (const renderer of options.renderer) {
       const times = []
-      // The first round starts the GPU process and is not counted.
+      // The first round is not counted, because it also starts the browser's GPU process.
       for (let i = 0; i <= rounds; i++) {
         const round = {}
         for (const k of roundOrder(VARIANTS.length, i)) {
@@ -81,7 +81,6 @@ async function run() {
   if (options.json) writeFileSync(options.json, `${JSON.stringify(rows, null, 2)}\n`)
 }
 
-/** Builds the page for production and serves it with the face. */
 async function serveBuilt(outDir) {
   await build({
     root: ROOT,

@@ -1,13 +1,13 @@
 import type { Area, GrayImage } from 'furrow'
 
 /**
- * Makes `count` areas from a face's areas: the first ones, or overlapping vertical strips of each. The strips of an area sum to the
- * area, so the same pixels wrinkle in all cases.
+ * Creates `count` areas from a face's areas. Returns the first `count` areas if the face has enough. Otherwise cuts each area into overlapping
+ * vertical strips. The strips of an area sum to the area, so cutting does not change which pixels have wrinkles.
  *
- * @param originals areas of the face.
- * @param count at most the number of areas, or a multiple of it.
+ * @param originals area maps of the face.
+ * @param count at most `originals.length`, or a multiple of it.
  * @param layers names of layers, assigned to the areas in turn.
- * @throws Error if `count` is larger than the number of areas and not a multiple of it.
+ * @throws Error if `count` is larger than `originals.length` and not a multiple of it.
  */
 export function divideAreas(
   originals: readonly GrayImage[],
@@ -27,7 +27,7 @@ export function divideAreas(
   }))
 }
 
-/** Cuts one of several strips across an area's extent. A strip overlaps half of each neighbour. */
+/** Returns strip `index` of an area that is divided into `strips` strips. Each strip overlaps half of each adjacent strip. */
 function strip({ width, height, data }: GrayImage, index: number, strips: number): GrayImage {
   const columns = [...Array(width).keys()].filter((x) => hasWeight(data, x, width, height))
   const [first, last] = [columns[0], columns[columns.length - 1]]

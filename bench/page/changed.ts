@@ -1,7 +1,7 @@
-/** Minimum fraction of pixels that wrinkles change: a variant that shows none would be fast. */
+/** Minimum fraction of pixels that wrinkles must change. A variant that fails to show wrinkles would be fast, but not comparable. */
 export const MIN_CHANGED = 0.005
 
-/** Returns the fraction of different pixels of two RGBA pictures, 0..1. */
+/** Returns the fraction of pixels whose colour differs between two RGBA pictures, 0..1. */
 export function changedFraction(a: Uint8Array, b: Uint8Array): number {
   let changed = 0
   for (let i = 0; i < a.length; i += 4) {

@@ -15,7 +15,7 @@ import type { Bench } from './bench.ts'
 import { applyFurrow } from './furrow.ts'
 import { createSet, createSkin } from './scene.ts'
 
-/** A crowd that fills a picture of `CROWD_PICTURE`. */
+/** Number and sizes of the faces in a crowd. */
 export interface CrowdKind {
   faces: number
   /** Height of a face on screen, pixels. */
@@ -29,23 +29,24 @@ export const CROWD_KINDS: readonly CrowdKind[] = [
   { faces: 10_000, pixels: 20, areaSize: 16 },
 ]
 
-/** Picture size that fits every crowd, pixels. */
+/** Picture size in pixels. All faces of each crowd fit into it. */
 export const CROWD_PICTURE = { width: 1920, height: 1600 }
 
-/** Areas per face; all move. */
+/** Areas per face. The activations of all of them change every frame. */
 const AREAS = 8
-/** Active blendshapes per face, as in an expression. */
-const MOVING = 6
-/** Triangles per squared face height, for about four pixels per triangle. */
+/** Blendshapes with a nonzero weight per face, about as many as an expression has. */
+const ACTIVE_SHAPES = 6
+/** Triangles per face divided by the square of the face's height in pixels. Each triangle then covers about four pixels. */
 const TRIANGLE_DENSITY = 0.42
-/** Instances per mesh. three.js stores instances' blendshapes in a texture with one row each, at most 8192 on most devices. */
+/** Instances per mesh. three.js stores blendshape weights in a texture with one row per instance, and most devices allow 8192 rows. */
 const MAX_INSTANCES = 5000
-/** Influence map updates timed together: one is far shorter than a frame. */
+/** Number of influence map updates that are timed together, because one update is far shorter than a frame. */
 const UPDATES = 8
 
 /**
- * Measures the fraction of a crowd's frame time that influence maps take, 0..1, by round: the time to update the maps divided by the
- * time of a full frame. All areas of all faces change before each.
+ * Measures how much of a crowd's frame time is spent on influence maps. The activations of all faces change before each update and each frame.
+ *
+ * @returns the time of an update of the influence maps divided by the time of a full frame, 0..1, one number per round.
  */
 export async function measureCrowd(bench: Bench, kind: CrowdKind, plan: Plan): Promise<number[]> {
   const { timedRenderer } = bench
@@ -71,7 +72,6 @@ export async function measureCrowd(bench: Bench, kind: CrowdKind, plan: Plan): P
   return fractions
 }
 
-/** Creates faces side by side, in one or more `InstancedMesh`es. */
 async function createCrowd(
   { face, scene, timedRenderer, renderer }: Bench,
   { faces, pixels, areaSize }: CrowdKind,
@@ -93,7 +93,6 @@ async function createCrowd(
   let frame = 0
   return {
     wrinkles: parts.map(({ wrinkles }) => wrinkles),
-    /** Changes all areas of all faces. */
     move() {
       frame++
       for (const { wrinkles } of parts) {
@@ -124,7 +123,7 @@ function simplified(full: BufferGeometry, triangles: number): BufferGeometry {
   return geometry
 }
 
-/** Places faces in rows from the top left corner, in pixels. */
+/** Returns a transform for each face: rows of faces from the picture's top left corner, in pixels. */
 function placesOf(geometry: BufferGeometry, faces: number, pixels: number): Matrix4[] {
   const box = new Box3().setFromBufferAttribute(geometry.getAttribute('position') as BufferAttribute)
   const size = box.getSize(new Vector3())
@@ -138,13 +137,12 @@ function placesOf(geometry: BufferGeometry, faces: number, pixels: number): Matr
   })
 }
 
-/** Creates instances of a face with different expressions. */
 function instancesOf(skin: Mesh, geometry: BufferGeometry, places: readonly Matrix4[]): InstancedMesh {
   const mesh = new InstancedMesh(geometry, (skin.material as Material).clone(), places.length)
   mesh.frustumCulled = false
   const targets = skin.morphTargetInfluences!
   for (const [i, place] of places.entries()) {
-    for (let k = 0; k < MOVING; k++) targets[k] = 0.5 + 0.5 * Math.sin(i + k)
+    for (let k = 0; k < ACTIVE_SHAPES; k++) targets[k] = 0.5 + 0.5 * Math.sin(i + k)
     mesh.setMorphAt(i, skin)
     mesh.setMatrixAt(i, place)
   }

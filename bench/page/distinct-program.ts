@@ -4,20 +4,21 @@ import { patchShader } from '../../packages/furrow/src/three/webgl/patch/patch-s
 import { replaceChunk } from '../../packages/furrow/src/three/webgl/patch/shader-text.ts'
 import type { RendererKind } from '../../stage/stage.ts'
 
-/** Step of the constants, too small to change an 8-bit pixel. */
+/** Difference between the constants of two programs. It is too small to change an 8-bit pixel. */
 const STEP = 1e-8
 
 let count = 0
 
 /**
- * Gives a material a unique program by adding a unique constant to the colour, so that three.js, the browser and the rasteriser cannot
- * reuse a compiled shader. Call before adding wrinkles, which then extend the patched shader.
+ * Gives a material a unique shader program, by adding a unique constant to its output colour. Otherwise three.js, the browser or the software
+ * rasteriser would reuse a compiled shader. Call this before adding wrinkles, because wrinkles
+ * extend the shader that this function has patched.
  */
 export function giveDistinctProgram(material: Material, renderer: RendererKind): void {
   const key = `program ${++count}`
   const constant = (count * STEP).toFixed(8)
   if (renderer === 'webgpu') {
-    // The renderer copies `outputNode` to the node material it creates from this material.
+    // WebGPURenderer creates a node material from this material and copies `outputNode` to it.
     Object.assign(material, { outputNode: output.add(vec4(Number(constant), 0, 0, 0)) })
     material.customProgramCacheKey = () => key
     return

@@ -7,14 +7,13 @@ import { quadMaterials as glslQuads } from '../../packages/furrow/src/three/webg
 import { quadMaterials as tslQuads } from '../../packages/furrow/src/three/webgpu/influence/influence-quads.ts'
 import type { RendererKind } from '../../stage/stage.ts'
 
-/** Adds Furrow's wrinkles to a mesh. */
 export function applyFurrow(mesh: Mesh, set: WrinkleSet, renderer: RendererKind, options: WrinklesOptions) {
   return renderer === 'webgl' ? new WebGLWrinkles(mesh, set, options) : new WebGPUWrinkles(mesh, set, options)
 }
 
 /**
- * Adds wrinkles as on a page with one face: with an atlas that is not shared with existing wrinkles. The next face that is added
- * shares the atlas.
+ * Adds wrinkles as on a page with only one face: their influence map gets a new texture. Otherwise, faces share one texture for their
+ * influence maps. The next call of `applyFurrow` uses the new texture too.
  */
 export function applyAlone(mesh: Mesh, set: WrinkleSet, renderer: RendererKind, options: WrinklesOptions) {
   const { targets } = frameOf(renderer === 'webgl' ? glslQuads : tslQuads)

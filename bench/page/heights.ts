@@ -8,7 +8,7 @@ type Heights = Pick<Layer, 'height' | 'heightAmplitude'>
 
 const cache = new WeakMap<object, Heights>()
 
-/** Returns the heights of automatic wrinkles in one layer, with `furrow auto`'s default age and size. Cached by geometry. */
+/** Creates automatic wrinkles with one layer, by the defaults of `furrow auto`, and returns the layer's height map. Cached per geometry. */
 export function autoHeights(mesh: Mesh): Heights {
   const { geometry } = mesh
   const known = cache.get(geometry)

@@ -9,14 +9,14 @@ import { giveDistinctProgram } from './distinct-program.ts'
 import { createSet, createSkin } from './scene.ts'
 import { type AppliedVariant, VARIANTS } from './variant.ts'
 
-/** Allowed channel difference between equal variants, of 255, and the fraction of channels that may exceed it. */
+/** Allowed difference of a colour channel (0..255) between variants that must look equal, and the fraction of channels that may exceed it. */
 const MAX_DIFFERENCE = 2
 const MAX_FRACTION = 1e-5
-/** Minimum time of a measurement, milliseconds: clocks may have a resolution of 0.1 ms. */
+/** Minimum duration of a measurement in milliseconds, because some clocks only have a resolution of 0.1 ms. */
 const MIN_MS = 20
-/** Maximum number of frames per measurement. A frame has up to a dozen passes; a clock counts 2048. */
+/** Maximum number of frames per measurement. A frame has up to a dozen render passes, and `passClock` can time 2048 passes together. */
 const MAX_FRAMES = 64
-/** Measurements per variant and round. The fastest counts, because other processes only slow frames down. */
+/** Measurements per variant and round. Only the fastest is used, because other processes can slow frames down but never speed them up. */
 const TURNS = 3
 
 interface Candidate {
@@ -26,14 +26,14 @@ interface Candidate {
 }
 
 /**
- * Times every variant that supports a case. Each round compiles all variants, because a software rasteriser sometimes compiles
- * the same shader to code that is 10 to 20% slower.
+ * Times every variant that supports a case. Each round compiles all variants again, because a software rasteriser sometimes compiles
+ * the same shader to slower code.
  *
- * @throws Error if a variant shows no wrinkles; the signal's reason if aborted.
+ * @throws Error if a variant shows no wrinkles. Throws the signal's reason if `plan.signal` is aborted.
  */
 export async function measure(bench: Bench, benchCase: Case, plan: Plan): Promise<Measured[]> {
   const set = createSet(bench.face, benchCase)
-  bench.ambient.visible = benchCase.maps === 'all'
+  bench.ambient.visible = benchCase.maps !== 'normals'
   const measured: Measured[] = []
   for (let round = 0; round < plan.rounds; round++) {
     const candidates = createCandidates(bench, benchCase, set, plan)
@@ -80,14 +80,13 @@ function createCandidates(
     })
 }
 
-/** Compiles a variant by drawing it. */
 async function warmUp(bench: Bench, benchCase: Case, candidate: Candidate): Promise<void> {
   drawFrame(bench, benchCase, candidate, 0, bench.timedRenderer.drawPixel)
-  // Some programs compile between frames.
+  // Leaves time between frames, in which some programs are compiled.
   await new Promise((resolve) => setTimeout(resolve, 5))
 }
 
-/** Returns the fraction of pixels that each variant changes. */
+/** Returns the fraction of pixels that each variant changes, compared with the plain face. Throws if a variant changes too few. */
 async function changedFractions(bench: Bench, benchCase: Case, candidates: Candidate[]): Promise<number[]> {
   const pictures = new Map<string, Uint8Array>()
   for (const candidate of candidates) {
@@ -107,7 +106,7 @@ async function changedFractions(bench: Bench, benchCase: Case, candidates: Candi
   })
 }
 
-/** Throws if a variant differs from the variant that it must equal. */
+/** Throws if a variant's picture differs from the picture of its `sameAs` variant. */
 function checkSame(pictures: ReadonlyMap<string, Uint8Array>, benchCase: Case): void {
   for (const [name, picture] of pictures) {
     const { sameAs } = VARIANTS.get(name)!
@@ -119,13 +118,12 @@ function checkSame(pictures: ReadonlyMap<string, Uint8Array>, benchCase: Case): 
   }
 }
 
-/** Returns the fraction of channels that differ by more than `MAX_DIFFERENCE`. */
 function differingFraction(a: Uint8Array, b: Uint8Array): number {
   const count = a.reduce((sum, value, i) => sum + Number(Math.abs(value - b[i]) > MAX_DIFFERENCE), 0)
   return count / a.length
 }
 
-/** Returns the milliseconds per frame of each variant: the fastest of its turns. */
+/** Measures each variant in several turns. Returns the milliseconds per frame of each variant's fastest turn. */
 async function timeInTurns(
   bench: Bench,
   benchCase: Case,
@@ -139,7 +137,7 @@ async function timeInTurns(
       for (let i = 0; i < count; i++) drawFrame(bench, benchCase, candidate, index++)
     })
   const counts: number[] = []
-  // The first frame also waits for the remaining setup of all variants.
+  // This result is discarded, because the first frame also waits for the remaining setup of all variants.
   await time(candidates[0], 1)
   for (const candidate of candidates) {
     const first = await time(candidate, 1)
@@ -155,7 +153,6 @@ async function timeInTurns(
   return fastest
 }
 
-/** Draws a frame of one variant. */
 function drawFrame(
   { scene, camera, timedRenderer }: Bench,
   benchCase: Case,

@@ -9,12 +9,14 @@ import { createScene } from './scene.ts'
 import { createTimedRenderer, type TimedRenderer } from './timed-renderer.ts'
 import { measureUpdates, type UpdateTimes } from './updates.ts'
 
-/** Functions of the page for the process that opens it. */
+/** Functions that the benchmark's page defines as the global `bench`, so that the process that opens the page can call them. */
 export interface BenchPage {
   /**
-   * Creates the scene.
+   * Creates the scene that the other functions measure.
    *
-   * @param url address of the face.
+   * @param width picture width, pixels.
+   * @param height picture height, pixels.
+   * @param url address of the face's glTF file.
    */
   open(
     renderer: RendererKind,
@@ -23,9 +25,9 @@ export interface BenchPage {
     url: string,
   ): Promise<Pick<TimedRenderer, 'adapter' | 'timing'>>
   measure(benchCase: Case, plan: Plan): Promise<Measured[]>
-  /** Measures the fraction of a crowd's frame time that influence maps take, 0..1, by round. */
+  /** Measures the fraction of a crowd's frame time that is spent on influence maps, 0..1. Returns one number per round. */
   measureCrowd(kind: CrowdKind, plan: Plan): Promise<number[]>
-  /** Times changes of a layer's normal map. */
+  /** Measures how long a frame waits for a change of a layer's normal map. */
   measureUpdates(plan: Plan): Promise<UpdateTimes>
 }
 

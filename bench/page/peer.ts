@@ -1,4 +1,4 @@
-/** Shared code of other techniques, which compute the normal in GLSL for WebGL and in TSL for WebGPU. */
+/** Code shared by the variants that reimplement techniques of other authors. They compute the normal in GLSL for WebGL and in TSL for WebGPU. */
 import type { GrayImage, WrinkleSet } from 'furrow'
 import { packColours } from 'furrow/internal'
 import {
@@ -17,26 +17,28 @@ import { patchShader } from '../../packages/furrow/src/three/webgl/patch/patch-s
 import type { RendererKind } from '../../stage/stage.ts'
 import type { AppliedVariant } from './variant.ts'
 
+/** Textures and shader code of one technique. */
 export interface Peer {
-  /** Textures by name in the shaders. */
+  /** Textures by their name in GLSL. */
   textures: Record<string, Texture>
-  /** Activations in the order of the areas. */
+  /** Activations of the areas, in the order of the wrinkle set. The shaders read them every frame. */
   weights: number[]
-  /** Declares `vec3 peerNormal(vec3 base, vec2 uv)`, normals in -1..1; reads the weights in the array `peerWeights`. */
+  /**
+   * GLSL code that defines `vec3 peerNormal(vec3 base, vec2 uv)`. `base` is the texel of the face's normal map, and the function returns the
+   * normal with wrinkles, both in -1..1. The code reads `weights` from the uniform array `peerWeights`.
+   */
   glsl: string
-  /** Also edits the fragment shader. */
   editGlsl?: (fragment: string) => string
-  /** Computes the same normal as nodes. */
+  /** Computes the same normal as `glsl`, in TSL. */
   tsl(
     base: Node<'vec3'>,
     textures: Readonly<Record<string, Texture>>,
     weights: readonly Node<'float'>[],
   ): Node<'vec3'>
-  /** Returns further nodes of the material. */
+  /** Returns further nodes to assign to the material. */
   addNodes?: (material: MeshPhysicalMaterial) => object
 }
 
-/** Patches a mesh's material with a technique. */
 export function applyPeer(mesh: Mesh, set: WrinkleSet, renderer: RendererKind, peer: Peer): AppliedVariant {
   const material = mesh.material as MeshPhysicalMaterial
   if (renderer === 'webgl') patchGlsl(material, peer)
@@ -88,8 +90,8 @@ function patchTsl(material: MeshPhysicalMaterial, { textures, weights, tsl, addN
   const base = texture(material.normalMap!).xyz.mul(2).sub(1) as Node<'vec3'>
   const normal = tsl(base, textures, weightNodes)
   const scale = uniform(material.normalScale) as unknown as Node<'vec2'>
-  // The renderer copies `normalNode` to the node material it creates from this material. It ignores nodes when sharing programs, so the
-  // cache key must distinguish techniques.
+  // WebGPURenderer creates a node material from this material and copies `normalNode` to it. Its program cache does not compare the copied nodes,
+  // so each technique needs a different cache key.
   Object.assign(material, addNodes?.(material), {
     normalNode: normalMap(normal.mul(0.5).add(0.5) as Node<'vec3'>, scale),
   })
@@ -97,7 +99,7 @@ function patchTsl(material: MeshPhysicalMaterial, { textures, weights, tsl, addN
   material.customProgramCacheKey = () => name
 }
 
-/** Packs up to four gray images into the channels of a mask; unused channels are 0. */
+/** Packs up to four gray images into the channels of an RGBA texture. Unused channels are 0. */
 export function maskTexture(images: readonly (GrayImage | undefined)[]): DataTexture {
   const { width, height } = images.find((image) => image)!
   const data = new Uint8Array(4 * width * height)
@@ -112,7 +114,7 @@ export function maskTexture(images: readonly (GrayImage | undefined)[]): DataTex
   return mask
 }
 
-/** Packs the layers' normal maps into an array texture, to use one sampler. */
+/** Packs the layers' normal maps into one array texture, because the number of samplers is limited. */
 export function normalArray({ layers }: WrinkleSet): DataArrayTexture {
   return mapTexture(packColours(layers.map(({ normal }) => normal)), 1)
 }

@@ -14,14 +14,13 @@ import { divideAreas } from './areas.ts'
 import type { Bench } from './bench.ts'
 import { LIGHT_INTENSITY, LIGHTS } from './lights.ts'
 
-/** Zoom of the stage's front view: fills the frame from forehead to mouth. */
+/** Zoom of the camera, relative to the front view of `stage/views.ts`. The picture then shows the face from forehead to mouth. */
 const ZOOM = 3.1
-/** Number of areas to use, limited by the masks of other techniques. */
+/** Number of the face's areas to use. The variants `jimenez` and `o3de` support at most eight masks. */
 const ORIGINAL_AREAS = 8
 /** Height of the face's centre above the centre of head and neck, metres. */
 const CAMERA_RISE = 0.025
 
-/** Creates a lit scene and a camera that frames the face. */
 export function createScene(face: Face, aspect: number): Pick<Bench, 'scene' | 'camera' | 'ambient'> {
   const scene = new Scene()
   for (const from of LIGHTS) {
@@ -40,7 +39,7 @@ export function createScene(face: Face, aspect: number): Pick<Bench, 'scene' | '
   return { scene, camera, ambient }
 }
 
-/** Copies the face's skin with a cloned material; shares geometry and textures. */
+/** Creates a mesh of the face's skin with a cloned material. It shares geometry and textures with the face. */
 export function createSkin({ skin }: Face): Mesh {
   const material = skin.material as MeshPhysicalMaterial
   if (!material.isMeshPhysicalMaterial)
@@ -51,9 +50,9 @@ export function createSkin({ skin }: Face): Mesh {
 }
 
 /**
- * Creates a case's set from copies of the file's first layer and from its areas, divided.
+ * Creates the wrinkle set of a benchmark case. Its layers are copies of the face's first layer, and `divideAreas` creates its areas.
  *
- * @throws Error if the file has no wrinkles, or has them as a KTX 2 array.
+ * @throws Error if the face has no wrinkles, or stores their maps as a KTX 2 array.
  */
 export function createSet(
   { wrinkles }: Face,
@@ -66,9 +65,15 @@ export function createSet(
     name: `layer${i}`,
     kind,
     normal: { ...normal, data: normal.data.slice() },
-    ...(maps === 'all' && { occlusion, blood, bloodAmplitude }),
+    ...(maps !== 'normals' && { occlusion, blood, bloodAmplitude }),
+    ...(maps === 'onset' && { onset: onsetOf(occlusion as GrayImage) }),
   }))
   const originals = wrinkles.set.areas.slice(0, ORIGINAL_AREAS).map(({ weights }) => weights as GrayImage)
   const names = copies.map(({ name }) => name)
   return { layers: copies, areas: divideAreas(originals, areas, names) }
+}
+
+/** Creates an onset map with the size of an occlusion map: darker texels begin to wrinkle earlier. */
+function onsetOf({ width, height, data }: GrayImage): GrayImage {
+  return { width, height, data: data.map((value) => value / 2) }
 }

@@ -11,25 +11,24 @@ import { WebGPURenderer } from 'three/webgpu'
 import type { RendererKind } from '../../stage/stage.ts'
 import { type Clock, passClock, queryClock } from './timestamps.ts'
 
-/** Draws frames and measures GPU time. */
+/** A three.js renderer that draws frames into a render target and measures their GPU time. */
 export interface TimedRenderer {
+  /** Name of the GPU. */
   adapter: string
-  /** Source of times: GPU timestamps, or a fence after the frames. */
+  /** Method of timing: GPU timestamps, or a fence after the frames. */
   timing: 'timestamps' | 'fence'
   draw(scene: Scene, camera: Camera): void
-  /** Draws a frame but shades only one pixel, for example to compile shaders. */
+  /** Draws a frame but shades only one pixel. This compiles shaders quickly. */
   drawPixel(scene: Scene, camera: Camera): void
-  /** Updates only the influence maps of some wrinkles. */
+  /** Updates the influence map of `wrinkles` without drawing the scene. */
   update(wrinkles: Pick<Wrinkles, 'update'>): void
-  /** Milliseconds. */
   time: Clock
-  /** Pixels of the last frame, RGBA bytes. */
+  /** Returns the pixels of the last frame, RGBA bytes. */
   read(): Promise<Uint8Array>
-  /** Frees GPU memory. */
   dispose(): void
 }
 
-/** Creates a renderer. Throws if WebGPU is missing, instead of measuring the fallback to WebGL 2. */
+/** Creates a renderer. Throws if `kind` is `webgpu` and WebGPU is missing, because three.js would fall back to WebGL 2. */
 export function createTimedRenderer(
   kind: RendererKind,
   width: number,
@@ -44,7 +43,7 @@ async function createWebGL(width: number, height: number): Promise<TimedRenderer
   const gl = renderer.getContext() as WebGL2RenderingContext
   const debugInfo = gl.getExtension('WEBGL_debug_renderer_info')
   const pixel = new Uint8Array(4)
-  // Reading one pixel waits for the frame.
+  // Reading one pixel waits until the GPU has finished the frame.
   const fence = async () => renderer.readRenderTargetPixels(target, 0, 0, 1, 1, pixel)
   const clock = queryClock(gl)
   return {
@@ -60,7 +59,7 @@ async function createWebGL(width: number, height: number): Promise<TimedRenderer
     },
     dispose() {
       renderer.dispose()
-      // Browsers limit the number of contexts until garbage collection.
+      // Browsers limit the number of contexts, and would count this one until it is garbage-collected.
       renderer.forceContextLoss()
     },
   }
@@ -72,7 +71,7 @@ async function createWebGPU(width: number, height: number): Promise<TimedRendere
   const { device, isWebGPUBackend } = renderer.backend as { device?: GPUDevice; isWebGPUBackend?: boolean }
   if (!device || !isWebGPUBackend) throw new Error('bench: WebGPU is missing; use --renderer webgl')
   const target = new RenderTarget(width, height)
-  // Replaces the canvas, without a separate pass for colour conversion.
+  // Renders to `target` instead of the canvas. In linear colour three.js adds no pass for colour conversion.
   renderer.setSize(width, height, false)
   renderer.outputColorSpace = LinearSRGBColorSpace
   renderer.setOutputRenderTarget(target)

@@ -1,12 +1,13 @@
 /// <reference types="@webgpu/types" />
-/** Runs `frames` and returns their GPU time, milliseconds. */
+/** Runs `frames`, a function that draws one or more frames, and returns their GPU time in milliseconds. */
 export type Clock = (frames: () => void) => Promise<number>
 
-/** Maximum number of passes timed together: a query set has at most 4096 entries, two per pass. */
+/** Maximum number of render passes timed together. WebGPU limits a query set to 4096 entries, and each pass needs two. */
 const MAX_PASSES = 2048
 
 /**
- * Creates a clock that sums all render passes, including mipmap generation. Gaps while the GPU waits for the CPU do not count.
+ * Creates a clock for WebGPU that sums the GPU time of all render passes, including those that generate mipmaps. Idle time between passes is
+ * not counted.
  *
  * @returns undefined if the device has no timestamp queries.
  */
@@ -60,7 +61,7 @@ export function passClock(device: GPUDevice): Clock | undefined {
 }
 
 /**
- * Creates a clock of elapsed GPU time by `EXT_disjoint_timer_query_webgl2`.
+ * Creates a clock for WebGL that measures elapsed GPU time with `EXT_disjoint_timer_query_webgl2`.
  *
  * @returns undefined if the context has no timer queries.
  */
@@ -73,13 +74,13 @@ export function queryClock(gl: WebGL2RenderingContext): Clock | undefined {
     frames()
     gl.endQuery(timer.TIME_ELAPSED_EXT)
     gl.flush()
-    // Results only become available between tasks.
+    // The browser makes the result available only after the current task has ended.
     while (!gl.getQueryParameter(query, gl.QUERY_RESULT_AVAILABLE)) {
       await new Promise((resolve) => setTimeout(resolve))
     }
     const nanoseconds = gl.getQueryParameter(query, gl.QUERY_RESULT)
     gl.deleteQuery(query)
-    // Repeats if the GPU's clock was disturbed.
+    // The result is invalid if the GPU's clock was disjoint, for example after a change of its frequency. Then the frames run again.
     return gl.getParameter(timer.GPU_DISJOINT_EXT) ? clock(frames) : nanoseconds / 1e6
   }
   return clock

@@ -12,16 +12,16 @@ export const MAP_SIZE = 1024
 /** Width and height of the changed rectangle, texels. */
 export const REGION_SIZE = 64
 const AREAS = 8
-/** Factor to draw the face smaller, so that changes take most of the time. */
-const DISTANCE = 50
+/** Factor by which the face is drawn smaller, so that updating the map takes most of the frame's time. */
+const SHRINK = 50
 
-/** Milliseconds added to a frame by a change of a rectangle, and of the full map. */
+/** Milliseconds that `updateLayer` adds to a frame: for a rectangle of the normal map, and for the full map. */
 export interface UpdateTimes {
   region: number
   full: number
 }
 
-/** Times frames with changes of a layer's normal map. */
+/** Measures the time that changes of a layer's normal map add to a frame. */
 export async function measureUpdates(
   { face, scene, camera, timedRenderer, renderer }: Bench,
   plan: Plan,
@@ -29,7 +29,7 @@ export async function measureUpdates(
   const skin = createSkin(face)
   scene.add(skin)
   const distant = camera.clone()
-  distant.zoom /= DISTANCE
+  distant.zoom /= SHRINK
   distant.updateProjectionMatrix()
   const set = createSet(face, { areas: AREAS, layers: 1, maps: 'normals' })
   const [layer] = set.layers
@@ -48,18 +48,18 @@ export async function measureUpdates(
     const start = performance.now()
     change()
     timedRenderer.draw(scene, distant)
-    // Waits for the frame.
+    // Waits until the GPU has finished the frame.
     await timedRenderer.read()
     return performance.now() - start
   }
   const times = { none: [] as number[], region: [] as number[], full: [] as number[] }
-  // The first round is not counted.
+  // The first round only warms up.
   for (let round = 0; round <= plan.rounds; round++) {
     for (const [name, change] of Object.entries(changes)) {
       const milliseconds = await time(change)
       if (round > 0) times[name as keyof typeof times].push(milliseconds)
     }
-    // A full change drops the CPU's mipmaps for rectangles. The first rectangle recreates them, as at the start of a stroke.
+    // `full` discards the mipmaps that `updateLayer` keeps on the CPU for rectangles. This untimed call creates them again.
     await time(changes.region)
   }
   wrinkles.dispose()
@@ -69,7 +69,7 @@ export async function measureUpdates(
   return { region: median(times.region) - still, full: median(times.full) - still }
 }
 
-/** Enlarges an image to `MAP_SIZE` by repeating texels. */
+/** Enlarges an image to `MAP_SIZE` texels in width and height by repeating texels. */
 function enlarged({ width, height, data }: RgbaImage): RgbaImage {
   const texels = new Uint32Array(data.buffer, data.byteOffset, width * height)
   const larger = Uint32Array.from({ length: MAP_SIZE * MAP_SIZE }, (_, i) => {

@@ -1,4 +1,4 @@
-/** Times `furrow/auto`, milliseconds. */
+/** Page that measures how long `furrow/auto` takes to create wrinkles in its web worker, milliseconds. */
 import { autoWrinklesInWorker } from 'furrow/auto'
 import { type Mesh, Scene } from 'three'
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
@@ -20,7 +20,6 @@ window.auto = async (path, size) => {
   return performance.now() - start
 }
 
-/** Finds the mesh with blendshapes and the most vertices. */
 function findLargest(scene: Scene['children'][number]): Mesh {
   const meshes: Mesh[] = []
   scene.traverse((object) => {

@@ -3,7 +3,7 @@ import { join } from 'node:path'
 import { build } from 'vite'
 import { SOURCES } from '../../scripts/lib/sources.mjs'
 
-/** Builds a checkout's studio for production, and the page that times `furrow/auto` in its subfolder `auto`. */
+/** Builds the studio of a checkout into the folder `dist`. Builds the page that times `furrow/auto` into the subfolder `auto` of `dist`. */
 export async function buildStudio(checkout, dist, files) {
   await build({
     configFile: join(checkout, 'studio/vite.config.ts'),

@@ -8,19 +8,19 @@ import { MeshoptSimplifier } from 'meshoptimizer/simplifier'
 import sharp from 'sharp'
 
 const SCAN = fileURLToPath(new URL('../../../shared/real-face/ict-face.glb', import.meta.url))
-/** Width and height of projects' maps, texels. */
+/** Width and height of the normal maps in projects, texels. */
 const MAP_SIZE = 1024
-/** Fraction of the shipped face's vertices to keep, for 2,200 vertices. */
+/** Fraction of the vertices of `faces/human.glb` to keep. 2,200 vertices remain. */
 const LOW_RATIO = 0.17
-/** Cells per side of a sheet of two million triangles. */
+/** Number of quads along each side of the sheet, which then has two million triangles. */
 const SHEET_SIDE = 1000
 
 /**
- * Writes the files that the cases use into a folder.
+ * Writes the files that the benchmark's cases use into a folder.
  *
- * @param server result of `serve`, to load sources of packages and tests.
- * @returns paths of `avatars`, of the low-polygon avatar `low` and of the `sheet` of two million triangles; `project(count)` writes a
- *   project with `count` lines.
+ * @param server result of `serve`, which loads modules of packages and tests.
+ * @returns paths of the `avatars` by name, of the low-polygon avatar `low`, and of a flat `sheet` of two million triangles. `project(count)` writes a
+ *   project with `count` wrinkle lines and returns its folder.
  */
 export async function writeFiles(server, folder, { hasSheet }) {
   const { writeAvatars } = await server.ssrLoadModule('/test/pages/avatars.ts')
@@ -45,7 +45,7 @@ async function writeLow(from, to) {
   await io.write(to, document)
 }
 
-/** Makes the lines of a face's automatic wrinkles, and its scale. */
+/** Creates automatic wrinkles for a face. Returns their lines as strokes, and the scale of the face. */
 async function automaticLines(server, path) {
   const { autoWrinkles } = await server.ssrLoadModule('/packages/furrow/src/author/index.ts')
   const { strokesOf } = await server.ssrLoadModule('/packages/furrow/internal/index.ts')
@@ -55,7 +55,7 @@ async function automaticLines(server, path) {
   return strokesOf(autoWrinkles(skin, { size: 256 }))
 }
 
-/** Writes a project with one layer of lines, and one area that shows all of them at rest. */
+/** Writes a project with `count` lines in one layer. Its only area has activation 1, so all lines are visible at rest. */
 async function writeProject(folder, face, { strokes, scale }, count) {
   mkdirSync(join(folder, 'areas'), { recursive: true })
   mkdirSync(join(folder, 'layers/lines'), { recursive: true })
@@ -77,7 +77,7 @@ async function writeProject(folder, face, { strokes, scale }, count) {
   return folder
 }
 
-/** Repeats the automatic lines with offsets until there are enough. */
+/** Returns `count` lines: the automatic lines, followed by copies that are shifted in texture coordinates. */
 function manyLines(strokes, count) {
   return Array.from({ length: count }, (_, i) => {
     const { layer: _layer, ...stroke } = strokes[i % strokes.length]

@@ -1,15 +1,15 @@
-/* Runs before the studio's scripts. `window.probe` reports changes of the stage. */
+/* Script that the benchmark adds to the studio, before the studio's scripts. `window.probe` reports when pixels of the stage, the 3D view, change. */
 {
-  /** The stage's context: the last one requested. */
+  /** WebGL context of the stage, which is the last context that the studio requests. */
   let gl = null
   let draws = 0
-  /** Rectangle to watch, its hash, and the times of its first change. */
+  /** Watched rectangle, the hash of its pixels when watching began, and the times of the first frame with other pixels. */
   let watch = null
 
   const { getContext } = HTMLCanvasElement.prototype
   HTMLCanvasElement.prototype.getContext = function (kind, options) {
     if (kind !== 'webgl2') return getContext.call(this, kind, options)
-    // Keeps pixels readable between frames.
+    // `preserveDrawingBuffer` keeps the pixels readable after the frame.
     const context = getContext.call(this, kind, { ...options, preserveDrawingBuffer: true })
     if (context) gl = context
     return context
@@ -35,7 +35,7 @@
     watch.changed = { submitted, seen: performance.now() }
   }
 
-  /** Hashes the pixels of a rectangle in CSS pixels of the stage. Waits for the GPU. */
+  /** Hashes the stage's pixels in a rectangle, which is in CSS pixels relative to the stage. Waits for the GPU. */
   function hashOf({ x, y, width, height }) {
     const ratio = gl.drawingBufferWidth / gl.canvas.clientWidth
     const [w, h] = [Math.round(width * ratio), Math.round(height * ratio)]
@@ -47,22 +47,21 @@
   }
 
   const probe = {
-    /** Time when each frame of the stage was submitted. */
+    /** Times when the frames of the stage were submitted. Like all times here, they are milliseconds on the clock of `performance.now`. */
     frames: [],
-    /** Timestamp of the last event by type. All times are those of `performance.now`. */
+    /** Timestamp of the last event, by event type. */
     events: {},
-    /** Durations of the main thread's tasks of more than 50 ms. */
+    /** Durations of main-thread tasks longer than 50 ms, milliseconds. */
     tasks: [],
-    /** Times when the stage finished loading. */
+    /** Times when the stage finished loading a face. */
     ready: [],
-    /** Time when the panel first had areas after the last drop. */
+    /** Time when the panel first listed areas after the last drop of a file. */
     wrinkled: null,
 
-    /** Starts watching a rectangle for changes. */
     watch(rect) {
       watch = { rect, before: hashOf(rect), changed: null }
     },
-    /** Times when the first changed frame was submitted and drawn; null before. */
+    /** Returns the times when the first frame with changed pixels was submitted, and when its pixels could be read. Null if nothing has changed. */
     changed: () => watch.changed,
     adapter() {
       const info = gl.getExtension('WEBGL_debug_renderer_info')

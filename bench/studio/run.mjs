@@ -1,4 +1,4 @@
-// `npm run bench:studio`, `-- --quick`: measures the studio's response times. See README.md.
+// `npm run bench:studio`: measures response times, memory and download size of the studio. See README.md.
 
 import { mkdtempSync, rmSync } from 'node:fs'
 import { writeFile } from 'node:fs/promises'
@@ -27,7 +27,7 @@ const CASES = {
   sizes: measureSizes,
 }
 
-/** Numbers of lines and brush strokes; faces and sizes of automatic wrinkles. */
+/** `counts`: numbers of wrinkle lines. `strokes`: number of brush strokes. `autoFaces`: faces and map sizes in texels for automatic wrinkles. */
 const FULL = {
   rounds: 5,
   counts: [10, 100, 500],
@@ -77,7 +77,7 @@ async function run() {
       let done = 0
       for (let round = 0; round < plan.rounds; round++) {
         for (const name of names) {
-          // Builds take turns, so that a temporary slowdown affects all of them.
+          // Both builds are measured in turns, so that a temporary slowdown affects both.
           for (const build of round % 2 ? builds.toReversed() : builds) {
             await CASES[name]({ ...context, ...build }, (figure, time) =>
               record(times, figure, build.name, time),
@@ -102,7 +102,6 @@ async function run() {
   process.stdout.write(toTable(results, order))
 }
 
-/** Builds and serves this checkout and the one to compare with. */
 async function serveBuilds(files) {
   const { startStaticServer } = await server.ssrLoadModule('/test/pages/static-server.ts')
   const checkouts = { ...(options.beside && { before: options.beside }), now: ROOT }
@@ -122,7 +121,7 @@ async function adapterOf(context) {
   return adapter
 }
 
-/** @param time milliseconds, or milliseconds until a frame was submitted and drawn. */
+/** @param time a number in the unit of the figure, or the milliseconds until a frame was `submitted` and `seen`. */
 function record(times, figure, build, time) {
   const { submitted, seen } = typeof time === 'number' ? { submitted: time } : time
   const builds = times.get(figure) ?? {}

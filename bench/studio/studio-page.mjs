@@ -2,14 +2,14 @@ import { fileURLToPath } from 'node:url'
 import { dropPaths } from '../../scripts/lib/drop-paths.mjs'
 
 const PROBE = fileURLToPath(new URL('probe.js', import.meta.url))
-/** Timeout, milliseconds. */
+/** Timeout of each browser action, milliseconds. */
 const TIMEOUT = 120_000
-/** Time without a frame after which the stage is idle, milliseconds. */
+/** The stage, the studio's 3D view, counts as idle after this time without a frame, milliseconds. */
 const IDLE_TIME = 400
 
-/** The studio in a browser, driven by mouse and keyboard, and its probe. */
+/** Opens the studio in a browser and controls it with mouse and keyboard. `probe.js` in the page measures response times. */
 export class StudioPage {
-  /** Opens the studio with empty storage. */
+  /** Opens the studio in a new browser context, so its storage is empty. */
   static async open({ browser, origin }) {
     const context = await browser.newContext({
       viewport: { width: 1280, height: 800 },
@@ -36,14 +36,12 @@ export class StudioPage {
     return this.page.getByRole('button', { name, exact: true })
   }
 
-  /** Drops files or folders, and waits until the new face appears. */
   async drop(...files) {
     const before = await this.page.evaluate(() => window.probe.ready.length)
     await dropPaths(this.page, files)
     await this.page.waitForFunction((count) => window.probe.ready.length > count, before)
   }
 
-  /** Drops a project's folder, and starts editing its wrinkles. */
   async openProject(folder) {
     await this.drop(folder)
     await this.button('Edit wrinkles').click()
@@ -51,25 +49,22 @@ export class StudioPage {
     await this.waitForIdle()
   }
 
-  /** Waits until automatic wrinkles are done. */
   async waitForWrinkles() {
     await this.page.locator('#areas .row').first().waitFor()
     await this.page.getByText('Making wrinkles').waitFor({ state: 'detached' })
   }
 
-  /** Waits until the stage stops drawing. */
   async waitForIdle() {
     const isIdle = (time) => performance.now() - window.probe.frames.at(-1) > time
     await this.page.waitForFunction(isIdle, IDLE_TIME, { polling: 100 })
   }
 
-  /** Converts fractions of the stage to CSS pixels of the page. */
+  /** Converts fractions of the stage's width and height to CSS pixels of the page. */
   async pointAt(x, y) {
     const box = await this.page.locator('#viewport').boundingBox()
     return { x: box.x + x * box.width, y: box.y + y * box.height }
   }
 
-  /** Drags the mouse between two points of the page. */
   async drag(from, to, steps = 12) {
     await this.page.mouse.move(from.x, from.y)
     await this.page.mouse.down()
@@ -77,17 +72,19 @@ export class StudioPage {
     await this.page.mouse.up()
   }
 
-  /** Selects the pointer's mode for lines: Off, Edit or Draw. */
+  /** Selects what the pointer does with wrinkle lines: Off, Edit or Draw. */
   async linesTo(mode) {
     await this.page.getByRole('group', { name: 'Pointer' }).getByText(mode, { exact: true }).click()
     await this.waitForIdle()
   }
 
   /**
-   * Times from an event to the first frame with changed pixels around a point of the page.
+   * Runs an action and waits for the first frame in which pixels around a point have changed.
    *
-   * @param action triggers the event.
-   * @returns milliseconds until the frame was submitted and drawn.
+   * @param event type of the event that the action triggers.
+   * @param point centre of the watched square, CSS pixels of the page.
+   * @param radius half the side of the watched square, CSS pixels.
+   * @returns milliseconds from the event until the frame was `submitted`, and until its pixels could be read (`seen`).
    */
   async timeToPixel(event, point, action, radius = 24) {
     const box = await this.page.locator('#viewport').boundingBox()
@@ -102,7 +99,7 @@ export class StudioPage {
     }, event)
   }
 
-  /** Returns the durations of tasks of more than 50 ms during an action, milliseconds. */
+  /** Runs an action and waits until the stage is idle. Returns the durations, in milliseconds, of main-thread tasks longer than 50 ms. */
   async longTasks(action) {
     const count = await this.page.evaluate(() => window.probe.tasks.length)
     await action()

@@ -1,4 +1,4 @@
-/** Goals by prefix of a figure's name: milliseconds until the frame is submitted, on a software rasteriser. */
+/** Goals in milliseconds, by the beginning of the figure's name. They hold for a software rasteriser. */
 const GOALS: Record<string, number> = {
   'drop to face': 1000,
   'first stroke to heights': 100,
@@ -8,9 +8,13 @@ const GOALS: Record<string, number> = {
   'furrow/auto: scan': 4000,
 }
 
-/** Medians of a figure by build. For frames, `submitted` and `seen` (drawn) differ. */
+/** A measured figure. */
 export interface Result {
   figure: string
+  /**
+   * Medians by build. For response times, `submitted` is the time until a frame was submitted, and `seen` the time until its pixels could be read,
+   * in milliseconds. Other figures have only `submitted`.
+   */
   medians: Record<string, { submitted: number; seen?: number }>
 }
 

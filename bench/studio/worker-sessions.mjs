@@ -1,4 +1,4 @@
-/** DevTools sessions of a page's workers. */
+/** Measures the memory of a page's web workers over the DevTools protocol. */
 export class WorkerSessions {
   #session
   #ids = new Set()
@@ -25,7 +25,7 @@ export class WorkerSessions {
     })
   }
 
-  /** Returns the bytes of all heaps, including typed arrays, after garbage collection. */
+  /** Collects garbage in all workers. Returns the sum of their heaps in bytes, including typed arrays. */
   async heap() {
     let bytes = 0
     for (const sessionId of this.#ids) {

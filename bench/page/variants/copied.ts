@@ -16,8 +16,8 @@ import type { RendererKind } from '../../../stage/stage.ts'
 import type { Variant } from '../variant.ts'
 
 /**
- * Lower bound of a normal map that changes every frame: copies texels of the face's map where the composed mode redraws, without an influence
- * map or mixing. Shows the plain face.
+ * Lower bound for the cost of the composed mode. Each frame, it copies texels from the face's normal map to a second texture: the texels that the
+ * composed mode would redraw. It computes no influence map and mixes no normals, so the picture equals the face without wrinkles.
  */
 export const variant: Variant = {
   canShow: ({ still, layers, maps }) => !still && layers === 1 && maps === 'normals',
@@ -44,7 +44,6 @@ export const variant: Variant = {
   },
 }
 
-/** Creates a material that copies a map. */
 function copyMaterial(base: Texture, renderer: RendererKind): Material {
   if (renderer === 'webgl') {
     return new ShaderMaterial({

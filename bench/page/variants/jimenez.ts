@@ -5,8 +5,8 @@ import { applyPeer, maskTexture, normalArray } from '../peer.ts'
 import type { Variant } from '../variant.ts'
 
 /**
- * Jimenez, Echevarria, Oat, Gutierrez: "Practical and Realistic Facial Wrinkles Animation", GPU Pro 2 (2011): one wrinkle map
- * and eight zones in the channels of two masks. Adds the map's xy, times the weighted sum of the masks, to the normal's xy.
+ * The technique of Jimenez, Echevarria, Oat, Gutierrez: "Practical and Realistic Facial Wrinkles Animation", GPU Pro 2 (2011). It has one wrinkle
+ * map and eight zones in the channels of two masks: `normal.xy += wrinkles.xy * sum(mask[i] * weight[i])`.
  */
 export const variant: Variant = {
   canShow: ({ areas, layers, maps }) => areas === 8 && layers === 1 && maps === 'normals',

@@ -4,12 +4,12 @@ import type { Node } from 'three/webgpu'
 import { applyPeer, maskTexture, normalArray, type Peer } from '../peer.ts'
 import type { Variant } from '../variant.ts'
 
-/** Samplers for masks: of 16 in WebGL and WebGPU, the material uses 7 and the layers 1. */
+/** Samplers that are free for masks. WebGL and WebGPU guarantee 16, the material uses 7, and the layers' normal maps use 1. */
 const MAX_MASKS = 8
 
 /**
- * Open 3D Engine's skin material (`Skin_Common.azsli`, `WrinkleMask.azsli`): one mask per area with the weights of four layers. A loop
- * sums masks times activations, then mixes in the layers' normals in order.
+ * The technique of Open 3D Engine's skin material (`Skin_Common.azsli`, `WrinkleMask.azsli`). Each area has a mask whose four channels are the
+ * weights of four layers. The shader sums the masks times the activations. It then mixes each layer's normal into the result, in the layers' order.
  */
 export const variant: Variant = {
   canShow: ({ areas, maps }) => areas <= MAX_MASKS && maps === 'normals',
@@ -33,7 +33,7 @@ export const variant: Variant = {
   },
 }
 
-/** Unrolls the loop, because GLSL cannot index samplers by a loop counter. */
+/** Returns the GLSL code. The loop over the masks is unrolled, because GLSL cannot index samplers by a loop counter. */
 function glslOf(masks: number, layers: number): string {
   const added = Array.from(
     { length: masks },

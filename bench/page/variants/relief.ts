@@ -2,7 +2,7 @@ import { applyAlone } from '../furrow.ts'
 import { autoHeights } from '../heights.ts'
 import type { Variant } from '../variant.ts'
 
-/** Furrow's default mode with relief: heights of automatic wrinkles displace a dense surface. */
+/** Furrow's default mode with relief: the height map of automatic wrinkles displaces the vertices of a dense mesh. */
 export const variant: Variant = {
   canShow: ({ areas, layers, maps }) => areas === 8 && layers === 1 && maps === 'normals',
   apply: (mesh, { areas, layers }, renderer) => {

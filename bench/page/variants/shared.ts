@@ -2,9 +2,9 @@ import { type Material, Mesh } from 'three'
 import { applyAlone, applyFurrow } from '../furrow.ts'
 import type { Variant } from '../variant.ts'
 
-/** Furrow's default mode with an influence map shared with another face, which is not drawn. */
+/** Furrow's default mode, with the influence maps of two faces in one texture. Only the first face is drawn. */
 export const variant: Variant = {
-  canShow: ({ areas }) => areas === 8,
+  canShow: ({ areas, maps }) => areas === 8 && maps !== 'onset',
   sameAs: 'furrow',
   apply: (mesh, set, renderer) => {
     const wrinkles = applyAlone(mesh, set, renderer, { mode: 'default' })

@@ -24,15 +24,15 @@ import { activationOf } from '../../case.ts'
 import { applyPeer, normalArray, type Peer } from '../peer.ts'
 import type { Variant } from '../variant.ts'
 
-/** The supported case: the first frame. */
+/** Supported case. The static influence map shows frame 0, even if the activations of the case change every frame. */
 const SHOWN = { areas: 8, active: 8, layers: 1, still: true }
 
 /**
- * Lower bound of the default mode's pixels: a static influence map, the layer's maps and the same mix, without areas, bounds, fading or
- * branches. No shader with these samples can be faster.
+ * Lower bound for the default mode's cost per pixel. It samples a static influence map and the layer's maps, and mixes them with the same formula.
+ * It omits the other work of the default mode, such as branches, and drawing the influence map every frame.
  */
 export const variant: Variant = {
-  canShow: ({ areas, layers }) => areas === SHOWN.areas && layers === SHOWN.layers,
+  canShow: ({ areas, layers, maps }) => areas === SHOWN.areas && layers === SHOWN.layers && maps !== 'onset',
   sameAs: 'furrow',
   apply: (mesh, set, renderer, { maps }) => {
     const textures = { strippedWrinkles: normalArray(set), strippedInfluence: influenceTexture(set) }
@@ -41,7 +41,7 @@ export const variant: Variant = {
   },
 }
 
-/** Sums the areas times their activations in the first frame. */
+/** Computes the influence map of the first frame: the sum of all areas times their activations. */
 function influenceTexture({ areas }: WrinkleSet): DataTexture {
   const images = areas.map(({ weights }) => weights as GrayImage)
   const { width, height } = images[0]
@@ -62,7 +62,7 @@ function influenceTexture({ areas }: WrinkleSet): DataTexture {
   return map
 }
 
-/** Reoriented normal mapping, as in the default mode. */
+/** Mixes normals by reoriented normal mapping, as the default mode does. */
 const GLSL = /* glsl */ `
 vec3 strippedMix(float influence, vec3 base, vec2 uv) {
   vec3 wrinkle = texture(strippedWrinkles, vec3(uv, 0.0)).xyz * 2.0 - 1.0;
@@ -73,7 +73,7 @@ vec3 strippedMix(float influence, vec3 base, vec2 uv) {
 }
 `
 
-/** Samples the influence once, where the normal is mixed. */
+/** Samples the influence map and mixes the normals. Used if the layer has only a normal map. */
 const NORMALS = /* glsl */ `${GLSL}
 vec3 peerNormal(vec3 base, vec2 uv) {
   return strippedMix(texture(strippedInfluence, uv).r, base, uv);
@@ -91,7 +91,7 @@ function mixNormal(base: Node<'vec3'>, strippedWrinkles: Texture, influence: Nod
   return t.mul(t.dot(r)).sub(r.mul(size.mul(t.z))) as unknown as Node<'vec3'>
 }
 
-/** Adds occlusion and blood, packed in one texel, with the default mode's highlight shadowing and skin colour. */
+/** Adds occlusion and blood. Both are packed in one texel. As in the default mode, occlusion also darkens highlights, and blood tints the skin. */
 function withValues(normals: Peer, { layers: [layer] }: WrinkleSet): Peer {
   const values = valueTextures([layer as Layer], 1)
   const { occlusionStrength: strength = 1, bloodAmplitude: amplitude = 0 } = layer

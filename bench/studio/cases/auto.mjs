@@ -1,4 +1,4 @@
-/** Times `furrow/auto` in its worker, on an otherwise idle page. */
+/** Measures how long `furrow/auto` takes in its worker, on a page that does nothing else. */
 export async function measureAuto({ browser, origin, files, autoFaces }, add) {
   const page = await browser.newPage()
   page.setDefaultTimeout(0)

@@ -1,10 +1,12 @@
 import { StudioPage } from '../studio-page.mjs'
 
 const MOVES = 6
-/** Radius to watch for changes of an area or layer, CSS pixels. */
+/** Half the side of the square that is watched for changes after an undo or a change of a layer, CSS pixels. */
 const WIDE_RADIUS = 60
 
-/** Times moving the end of a line across the forehead, and undo and redo of the line and of a layer's field. */
+/**
+ * Measures response times while the end of a wrinkle line on the forehead moves. Then changes the scale of a layer, and undoes and redoes both edits.
+ */
 export async function measureLines(bench, add) {
   for (const count of bench.counts) {
     const studio = await StudioPage.open(bench)
@@ -31,7 +33,6 @@ export async function measureLines(bench, add) {
   }
 }
 
-/** Times changes of a layer's scale. */
 async function measureScale(studio, point, add) {
   const { page } = studio
   await studio.linesTo('Off')

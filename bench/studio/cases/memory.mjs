@@ -26,7 +26,6 @@ export async function measureMemory(bench, add) {
   await studio.close()
 }
 
-/** Returns the bytes of objects and typed arrays. */
 async function heapOf(session) {
   await session.send('HeapProfiler.collectGarbage')
   const { usedSize, backingStorageSize = 0 } = await session.send('Runtime.getHeapUsage')

@@ -1,6 +1,6 @@
 import { StudioPage } from '../studio-page.mjs'
 
-/** Times the first frames with the face and with its wrinkles, from dropping an avatar without wrinkles. */
+/** Drops avatars without wrinkles. Measures the time until the first frame with the face, and until the first frame with automatic wrinkles. */
 export async function measureOpening(bench, add) {
   for (const [name, path] of Object.entries(bench.files.avatars)) {
     const studio = await StudioPage.open(bench)

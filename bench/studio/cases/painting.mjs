@@ -2,7 +2,7 @@ import { StudioPage } from '../studio-page.mjs'
 
 const MOVES = 10
 
-/** Times dabs of a brush stroke over the cheek, undo and redo. */
+/** Measures response times of a brush stroke over the cheek, and of its undo and redo. */
 export async function measurePainting(bench, add) {
   const studio = await StudioPage.open(bench)
   const { page } = studio

@@ -5,7 +5,7 @@ import { StudioPage } from '../studio-page.mjs'
 
 const KILOBYTE = 1000
 
-/** Measures the gzipped kB of the first load, and of each code file. */
+/** Measures the gzipped kB of all code that the studio loads at first, and of each code file. */
 export async function measureSizes(bench, add) {
   const studio = await StudioPage.open(bench)
   const names = await studio.page.evaluate(() =>

@@ -1,6 +1,6 @@
 import { StudioPage } from '../studio-page.mjs'
 
-/** Measures the main thread's longest task during automatic wrinkles, edits, and opening a large mesh. */
+/** Measures the longest task of the main thread while the studio makes automatic wrinkles, draws a line, paints, and opens a large mesh. */
 export async function measureTasks(bench, add) {
   const studio = await StudioPage.open(bench)
   const longest = async (action) => Math.max(0, ...(await studio.longTasks(action)))
