@@ -15,25 +15,25 @@ import { serveFaces } from './test/gpu/serve-faces.ts'
 
 const { resolve, ssr } = SOURCES
 
-// Milliseconds. The limits only guard against hangs: slow or busy machines must pass.
+// Milliseconds. These limits only end hanging tests, so they are long enough for slow or busy machines.
 const SOON = { testTimeout: 300_000, hookTimeout: 300_000 }
 const LATE = { testTimeout: 900_000, hookTimeout: 900_000 }
 
-// By default Vitest leaves one core idle, which would be half of two.
+// By default Vitest leaves one core idle, which is half of a machine with two cores.
 const ALL_CORES = { maxWorkers: '100%' }
-// Threads start in half the time of processes, which saves a seventh of all unit tests' time.
+// Threads start twice as fast as processes, which shortens the unit tests by a seventh.
 const IN_THREADS = { pool: 'threads' } as const
 
 declare module 'vitest' {
   export interface ProvidedContext {
-    /** Whether tests run on all rendering paths and with all random cases, which takes several times as long. */
+    /** Whether tests use all rendering paths and all random cases, which takes several times as long. */
     inDepth: boolean
     /** Whether the browser may lack WebGPU. */
     mayLackWebGPU: boolean
   }
 }
 
-/** Set by `npm run test:all`. */
+/** True in `npm run test:all`, which sets the environment variable. */
 const inDepth = process.env.FURROW_TESTS === 'all'
 const provide = { inDepth, mayLackWebGPU: false }
 const HEAVY = inDepth ? [] : ['test/unit/**/*.heavy.test.ts']
@@ -71,7 +71,7 @@ export default defineConfig({
   },
 })
 
-/** Applications that install the published packages. They run in parallel like unit tests, because they mostly wait for npm. */
+/** Project for applications that install the published packages. They run in parallel, because they mostly wait for npm. */
 function packagesProject(name: string): TestProjectInlineConfiguration {
   const globalSetup = 'test/packages/tarballs.ts'
   return {
@@ -81,9 +81,9 @@ function packagesProject(name: string): TestProjectInlineConfiguration {
   }
 }
 
-/** Complete pages and commands, one at a time. */
+/** Project for complete pages and commands, which run one at a time. */
 function pagesProject(name: string): TestProjectInlineConfiguration {
-  // A page updates after drawing, which takes a busy machine more than a second.
+  // Vitest's default of one second is too short for pages on a busy machine.
   const poll = { timeout: 120_000 }
   return {
     resolve,
@@ -92,7 +92,7 @@ function pagesProject(name: string): TestProjectInlineConfiguration {
   }
 }
 
-/** Lists the Babylon.js modules that are imported, each by its path, as applications do. */
+/** Lists the paths of all Babylon.js modules that the sources and tests import. */
 function babylonModules(): string[] {
   const folders = ['packages/furrow/src/babylon', 'test/gpu/babylon', 'test/gpu/conformance']
   const texts = folders.flatMap((folder) =>
@@ -107,14 +107,14 @@ function babylonModules(): string[] {
   return [...new Set(imports.map(([, name]) => name))]
 }
 
-/** Project in the browser, on the rendering paths of `test/gpu/harness.ts`. */
+/** Project for tests in Chromium, which use the rendering paths of `test/gpu/harness.ts`. */
 function gpuProject(name: string, include: string[]): TestProjectInlineConfiguration {
   return {
     resolve,
     ssr,
     plugins: [serveFaces(SOURCES), mtoonNodes()],
     optimizeDeps: {
-      // Optimising a dependency late would reload the page in the middle of a test. Unlisted ones are served unchanged.
+      // If Vite discovered a dependency during a test, it would reload the page. Dependencies that are not listed are served unchanged.
       noDiscovery: true,
       include: [
         'three',
@@ -147,7 +147,7 @@ function gpuProject(name: string, include: string[]): TestProjectInlineConfigura
         'meshoptimizer/decoder',
         ...babylonModules(),
       ],
-      // `mtoonNodes` changes the first. The others find their WebAssembly next to their own modules.
+      // The plugin `mtoonNodes` changes the first module. The others load WebAssembly by a path relative to their source file.
       exclude: ['@pixiv/three-vrm-materials-mtoon/nodes', 'ktx2-encoder', '@bokuweb/zstd-wasm'],
     },
     test: {

@@ -1,10 +1,10 @@
 import type { Accessor, Document, Mesh, Node, Primitive } from '@gltf-transform/core'
 import { accessorsOf } from './accessors.ts'
 
-/** Distance by which `addBody` raises the shipped face, so that the feet stand on the floor, metres. */
+/** Height in metres by which `addBody` raises the shipped face, so that the body stands on the floor. */
 export const HEAD_HEIGHT = 0.88
 
-/** Body boxes in a T pose, metres, with the joint that moves each. */
+/** Boxes that form a body in a T pose, metres. `joint` moves the box. */
 const BODY: readonly { joint: string; min: readonly number[]; max: readonly number[] }[] = [
   { joint: 'Spine', min: [-0.19, 0.92, -0.13], max: [0.19, 1.46, 0.08] },
   { joint: 'Arm.L', min: [0.19, 1.36, -0.1], max: [0.82, 1.44, 0] },
@@ -13,7 +13,7 @@ const BODY: readonly { joint: string; min: readonly number[]; max: readonly numb
   { joint: 'Hips', min: [-0.17, 0, -0.12], max: [-0.02, 0.92, 0.05] },
 ]
 
-/** Joints with their positions in the armature, centimetres. `of` is the parent; without it, the armature is. */
+/** Joints with their positions, centimetres. `of` names the parent joint; a joint without `of` is a child of the armature node. */
 const JOINTS: readonly { name: string; of?: string; at: [number, number, number] }[] = [
   { name: 'Hips', at: [0, 92, -3] },
   { name: 'Spine', of: 'Hips', at: [0, 105, -3] },
@@ -23,8 +23,8 @@ const JOINTS: readonly { name: string; of?: string; at: [number, number, number]
 ]
 
 /**
- * Gives the shipped face a body like an avatar's. All meshes are skinned to joints in centimetres under a node scaled
- * by 0.01, and head and body skin share one mesh and material.
+ * Adds a body with joints to the shipped face. The joints move all meshes. Joint positions are in centimetres, below
+ * a node scaled by 0.01. The body becomes part of the mesh `skin` and has the material of the skin.
  *
  * @param bodyShapes names of extra blendshapes that widen the whole body.
  */
@@ -54,7 +54,7 @@ export function addBody(document: Document, bodyShapes: readonly string[] = []):
   }
 }
 
-/** Rotates the scene about the vertical axis, degrees. */
+/** Rotates the scene about the vertical axis. */
 export function turnScene(document: Document, degrees: number): void {
   const scene = document.getRoot().listScenes()[0]!
   const half = (degrees * Math.PI) / 360
@@ -67,7 +67,7 @@ function indexOf(joint: string): number {
   return JOINTS.findIndex(({ name }) => name === joint)
 }
 
-/** Creates the joints, with inverse bind matrices that take metres. */
+/** Creates the joints. Their inverse bind matrices convert metres to centimetres. */
 function makeSkin(document: Document, armature: Node) {
   const skin = document.createSkin()
   const byName = new Map<string, { node: Node; at: readonly number[] }>()

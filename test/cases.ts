@@ -1,11 +1,11 @@
 import type { Area, Layer, LayerKind, RgbaImage, WrinkleSet } from 'furrow'
 
-/** Random bytes. Independent texels are the hardest case for sampling. */
+/** Returns an image of random bytes. Independent texels are the hardest case for tests of sampling. */
 export function randomImage(random: () => number, width: number, height = width): RgbaImage {
   return { width, height, data: Uint8Array.from({ length: width * height * 4 }, () => random() * 256) }
 }
 
-/** Random normals within 45 degrees of the surface normal. */
+/** Returns a map of random normals within 45 degrees of the surface normal. */
 export function randomNormals(random: () => number, size: number): RgbaImage {
   const image = randomImage(random, size)
   for (let i = 0; i < size * size; i++) {
@@ -42,7 +42,7 @@ export function layer(name: string, kind: LayerKind, normal: RgbaImage): Layer {
   return { name, kind, normal }
 }
 
-/** JSON of the smallest wrinkle set. One image serves as layer and area. */
+/** Returns the JSON of the smallest wrinkle set, which uses one image as normal map and as area. */
 export function setOf(image: string): object {
   return {
     version: 1,

@@ -21,7 +21,6 @@ const COMMANDS = {
 export type CommandName = keyof typeof COMMANDS
 export const COMMAND_NAMES = Object.keys(COMMANDS) as CommandName[]
 
-/** Returns the command `furrow NAME`. */
 export function commandOf(name: CommandName): Promise<Command> {
   return COMMANDS[name]()
 }

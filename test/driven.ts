@@ -1,7 +1,7 @@
 import type { WrinkleDriver } from 'furrow'
 import { DriverProgram, planDrivers, targetSource, valueSource } from 'furrow/internal'
 
-/** Evaluates drivers of blendshapes and named inputs without an engine. */
+/** Prepares drivers that read blendshapes and named inputs, to evaluate them without an engine. */
 export function driven(drivers: readonly WrinkleDriver[], targetNames: readonly string[] = []) {
   const plan = planDrivers(drivers)
   const values = valueSource(plan.inputs.value)
@@ -13,7 +13,7 @@ export function driven(drivers: readonly WrinkleDriver[], targetNames: readonly 
   return {
     plan,
     missing: program.missing,
-    /** Returns activations by area. */
+    /** Evaluates the drivers and returns the activation of each area by name. */
     activations({
       weights = [],
       inputs = {},

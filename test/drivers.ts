@@ -14,7 +14,7 @@ export const link = (name: string, weight = 1, curve?: Curve): Link => ({
   ...(curve && { curve }),
 })
 
-/** Driver that sums blendshapes: the one named like the area, or several through links. */
+/** Returns a driver that sums blendshapes. `targets` is the name of one blendshape, or links to several. */
 export const morph = (
   area: string,
   targets: string | Link[],

@@ -6,7 +6,7 @@ export function jsonOf(file: Uint8Array): Json {
   return JSON.parse(new TextDecoder().decode(file.subarray(20, endOfJson(file))))
 }
 
-/** Returns a copy of the file with other JSON. */
+/** Returns a copy of a binary glTF file with its JSON replaced. */
 export function withJson(file: Uint8Array, json: Json): Uint8Array<ArrayBuffer> {
   const text = new TextEncoder().encode(JSON.stringify(json))
   const padded = Math.ceil(text.length / 4) * 4
@@ -21,7 +21,7 @@ export function withJson(file: Uint8Array, json: Json): Uint8Array<ArrayBuffer> 
   return out
 }
 
-/** Returns a copy of the file with edited JSON. */
+/** Returns a copy of a binary glTF file with its JSON edited. */
 export function editGlb(file: Uint8Array, edit: (json: Json) => unknown): Uint8Array<ArrayBuffer> {
   const json = jsonOf(file)
   edit(json)

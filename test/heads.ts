@@ -3,7 +3,7 @@ import { simplify, weld } from '@gltf-transform/functions'
 import { MeshoptSimplifier } from 'meshoptimizer/simplifier'
 import { noName, swapSide } from './rigs/naming-schemes.ts'
 
-/** Lists a document's meshes with blendshapes, and their names. */
+/** Lists the meshes with blendshapes, and the names of their blendshapes. */
 function blendMeshes(document: Document): { mesh: Mesh; names: string[] }[] {
   return document
     .getRoot()
@@ -14,7 +14,7 @@ function blendMeshes(document: Document): { mesh: Mesh; names: string[] }[] {
     })
 }
 
-/** Renames blendshapes. Equal names on several meshes stay equal. */
+/** Renames blendshapes. `rename` receives the same index for equal names on several meshes. */
 export function renameTargets(document: Document, rename: (name: string, index: number) => string): void {
   const all = [...new Set(blendMeshes(document).flatMap(({ names }) => names))]
   for (const { mesh, names } of blendMeshes(document)) {
@@ -25,17 +25,17 @@ export function renameTargets(document: Document, rename: (name: string, index: 
   }
 }
 
-/** Replaces names by `target_0`, `target_1` ... */
+/** Renames the blendshapes to `target_0`, `target_1` ... */
 export function removeNames(document: Document): void {
   renameTargets(document, (_, index) => noName(index))
 }
 
-/** Swaps left and right in names, as if the file had its sides swapped. */
+/** Swaps left and right in the names of blendshapes, without changing their shapes. */
 export function swapSides(document: Document): void {
   renameTargets(document, swapSide)
 }
 
-/** Removes blendshapes. */
+/** Removes all blendshapes but those that `isKept` accepts. */
 export function keepTargets(document: Document, isKept: (name: string) => boolean): void {
   for (const { mesh, names } of blendMeshes(document)) {
     const kept = names.filter(isKept)
@@ -47,7 +47,7 @@ export function keepTargets(document: Document, isKept: (name: string) => boolea
   }
 }
 
-/** Puts everything under one node that is mirrored, turned or scaled. */
+/** Makes all nodes children of a new node with a scale or rotation. A negative scale mirrors the scene. */
 export function placeScene(
   document: Document,
   { scale, rotation }: { scale?: [number, number, number]; rotation?: [number, number, number, number] },
@@ -66,7 +66,7 @@ export function removeMeshes(document: Document, names: RegExp): void {
   for (const mesh of document.getRoot().listMeshes()) if (names.test(mesh.getName())) mesh.dispose()
 }
 
-/** Folds the right half's UVs onto the left half's, so that both use the same texels. */
+/** Folds the UVs of the right half onto the left half, so that both halves use the same texels. */
 export function foldUvs(document: Document): void {
   const primitives = document
     .getRoot()
@@ -80,7 +80,7 @@ export function foldUvs(document: Document): void {
   }
 }
 
-/** Reduces all meshes and their blendshapes to about a fraction of their vertices. */
+/** Simplifies all meshes and their blendshapes. `ratio` is the approximate fraction of vertices that remain. */
 export async function decimate(document: Document, ratio: number): Promise<void> {
   await MeshoptSimplifier.ready
   await document.transform(weld(), simplify({ simplifier: MeshoptSimplifier, ratio, error: 1 }))

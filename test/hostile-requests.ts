@@ -25,7 +25,7 @@ export const HOSTILE_PATHS: readonly string[] = [
   `/${'a'.repeat(100_000)}`,
 ]
 
-/** Invalid or incomplete HTTP. The connection ends after each. */
+/** Invalid or incomplete HTTP requests. Each is sent on its own connection, which then ends. */
 export const HOSTILE_BYTES: readonly (string | Uint8Array)[] = [
   '',
   '\r\n\r\n',
@@ -53,7 +53,7 @@ export const HOSTILE_BYTES: readonly (string | Uint8Array)[] = [
   }),
 ]
 
-/** Sends a request whose path is not normalised, unlike `fetch`, and returns the complete response. */
+/** Sends a request and returns the complete response. The path is sent unchanged; `fetch` would normalise it. */
 export function request(
   origin: string,
   path: string,
@@ -82,7 +82,7 @@ function exchange(origin: string, bytes: string | Uint8Array, ends: boolean): Pr
     const parts: Buffer[] = []
     const socket = connect(Number(port), hostname, () => (ends ? socket.end(bytes) : socket.write(bytes)))
     socket.on('data', (part) => parts.push(part))
-    // A server may hang up before reading everything.
+    // A server may close the connection before it has read everything.
     socket.on('error', () => {})
     socket.on('close', () => resolve(Buffer.concat(parts).toString('latin1')))
   })

@@ -4,7 +4,7 @@ import { canonicalTargetName } from 'furrow/internal'
 type Point = readonly [number, number, number]
 type Target = Skin['targets'][number]
 
-/** Sums of ARKit's shapes. Names without a side mean both sides. */
+/** Weights of ARKit blendshapes that add up to an expression or viseme. A name without `Left` or `Right` means both. */
 const COMPOSITES: Readonly<Record<string, Readonly<Record<string, number>>>> = {
   angry: { browDown: 1, mouthFrown: 0.7, eyeSquint: 0.8 },
   happy: { mouthSmile: 0.8, cheekSquint: 0.8 },
@@ -21,7 +21,7 @@ const COMPOSITES: Readonly<Record<string, Readonly<Record<string, number>>>> = {
   visemeFf: { mouthRollLower: 0.7, mouthUpperUp: 0.5 },
 }
 
-/** Makes shapes that ARKit lacks: proportions of a face, and sums of its shapes. The skin needs ARKit's names. */
+/** Makes blendshapes that ARKit lacks: proportions of the face, and expressions made of ARKit blendshapes, which the skin must have. */
 export function unlabelledShapes(skin: Skin): Target[] {
   return [...proportionsOf(skin), ...compositesOf(skin)]
 }
@@ -42,12 +42,12 @@ function proportionsOf(skin: Skin): Target[] {
   const [mouth, brow] = [centreOf(skin, 'mouthPucker'), centreOf(skin, 'browInnerUp')]
   const cheeks = ['Left', 'Right'].map((side) => centreOf(skin, `cheekSquint${side}`))
   const middle = mean(eyes)
-  /** Half the distance between the eyes. */
+  // Half the distance between the eyes, the unit of all lengths below.
   const half = distance(...eyes) / 2
   const nose = mean([middle, mouth])
   const chin: Point = [mouth[0], mouth[1] - half, mouth[2]]
   const head: Point = [middle[0], middle[1], middle[2] - 1.5 * half]
-  /** Scales the skin about some points, with less effect at a distance. */
+  // Scales the skin about the nearest of some points. The effect decreases with the distance.
   const scaled = (name: string, centres: readonly Point[], reach: number, [x, y, z]: Point) =>
     offsetsOf(skin, name, centres, reach * half, ([dx, dy, dz]) => [x * dx, y * dy, z * dz])
   const moved = (name: string, centres: readonly Point[], reach: number, by: Point) =>
@@ -77,7 +77,7 @@ function proportionsOf(skin: Skin): Target[] {
   ]
 }
 
-/** Moves the skin around some points by a function of the offset from the nearest point, weighted by a Gaussian. */
+/** Makes a blendshape. A vertex moves by `map` of the vector from the nearest centre, multiplied by a Gaussian of the distance. */
 function offsetsOf(
   { positions }: Skin,
   name: string,
@@ -99,7 +99,7 @@ function offsetsOf(
   return { name, offsets }
 }
 
-/** Returns the mean position of the skin moved by a shape or its halves. */
+/** Returns the mean position of the skin that a blendshape, or its left and right half, moves. */
 function centreOf({ positions, targets }: Skin, name: string): Point {
   const sum = [0, 0, 0]
   let total = 0
@@ -113,7 +113,7 @@ function centreOf({ positions, targets }: Skin, name: string): Point {
   return sum.map((x) => x / total) as unknown as Point
 }
 
-/** Tells whether a target is a shape of ARKit, or its left or right half. */
+/** Tells whether a blendshape is an ARKit blendshape, given by name, or its left or right half. */
 function isPart(target: Target, shape: string): boolean {
   const name = canonicalTargetName(target.name)
   return name === shape || name === `${shape}Left` || name === `${shape}Right`

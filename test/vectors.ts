@@ -1,4 +1,4 @@
-/** Vectors of three numbers for tests' own computations. */
+/** Operations on vectors of three numbers. */
 
 export type Vector = [x: number, y: number, z: number]
 
@@ -28,6 +28,6 @@ export const cross = (a: Vector, b: Vector): Vector => [
 
 export const unit = (v: Vector) => scaled(v, 1 / Math.hypot(...v))
 
-/** Returns the angle between two vectors; 0 if either has no length. */
+/** Returns the angle between two vectors, degrees; 0 if either has length 0. */
 export const degreesBetween = (a: Vector, b: Vector) =>
   (Math.atan2(Math.hypot(...cross(a, b)), dot(a, b)) * 180) / Math.PI

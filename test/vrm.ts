@@ -1,11 +1,11 @@
-/** Turns files into VRMs that three-vrm accepts. */
+/** Converts glTF files to VRM files that three-vrm accepts. */
 
 import { editGlb } from './glb.ts'
 
 type Edit = Parameters<typeof editGlb>[1]
 type Json = Parameters<Edit>[0]
 
-/** Shaders of VRM 0: the file's own material, or one that three-vrm builds from Unity properties. */
+/** Shader name in VRM 0. `VRM_USE_GLTFSHADER` keeps the glTF material. For other shaders, three-vrm makes a material from Unity properties. */
 export type Vrm0Shader = 'VRM_USE_GLTFSHADER' | 'VRM/MToon' | 'VRM/UnlitTexture'
 
 const LIMBS = ['left', 'right'].flatMap((side) =>
@@ -21,7 +21,7 @@ const BONES_0 = ['hips', 'spine', 'chest', 'neck', 'head', ...LIMBS]
 const OUTLINE = { outlineWidthMode: 'worldCoordinates', outlineWidthFactor: 0.01 }
 
 /**
- * Converts a file to VRM 1.0 with static bones.
+ * Converts a file to VRM 1.0 with bones that move no vertex.
  *
  * @param change edits the JSON further.
  */
@@ -36,14 +36,14 @@ export function asVrm1(file: Uint8Array, change: Edit = () => {}): Uint8Array<Ar
   })
 }
 
-/** Gives all materials of a VRM 1.0 MToon, as `change` of `asVrm1`. */
+/** Converts all materials of a VRM 1.0 file to MToon. Use as `change` of `asVrm1`. */
 export function addMToon(json: Json, hasOutline = false): void {
   const mtoon = { specVersion: '1.0', shadeColorFactor: [0.7, 0.4, 0.4], ...(hasOutline && OUTLINE) }
   reduceToToon(json, { VRMC_materials_mtoon: mtoon })
   json.extensionsUsed.push('VRMC_materials_mtoon')
 }
 
-/** Adds an extension to all materials and removes features that MToon lacks: its shader does not compile with tangents. */
+/** Adds an extension to all materials. Removes textures and attributes that MToon ignores, and tangents, with which MToon does not compile. */
 function reduceToToon(json: Json, extension: object): void {
   for (const material of json.materials) {
     const { FURROW_wrinkle_maps } = material.extensions ?? {}
@@ -58,9 +58,9 @@ function reduceToToon(json: Json, extension: object): void {
 }
 
 /**
- * Converts a file to VRM 0 with static bones.
+ * Converts a file to VRM 0 with bones that move no vertex.
  *
- * @param shader shader of all materials. Unless it is the file's own, materials also get `KHR_materials_unlit`, as exporters write them.
+ * @param shader shader of all materials. For Unity shaders, materials also get `KHR_materials_unlit`, as exporters do.
  * @param change edits the JSON further.
  */
 export function asVrm0(
@@ -93,7 +93,7 @@ interface Material {
   normalTexture?: { index: number }
 }
 
-/** Uses the property names of Unity's shaders. */
+/** Returns a glTF material as properties of a Unity shader. */
 function propertiesOf({ name, pbrMetallicRoughness, normalTexture }: Material, shader: Vrm0Shader): object {
   const isMToon = shader === 'VRM/MToon'
   const baseColor = pbrMetallicRoughness?.baseColorTexture?.index
@@ -116,7 +116,7 @@ function propertiesOf({ name, pbrMetallicRoughness, normalTexture }: Material, s
   }
 }
 
-/** Adds nodes to a file's first scene and returns the index of the first. */
+/** Adds nodes to a file's first scene. Returns the index of the first added node. */
 function addNodes(json: Json, names: readonly string[]): number {
   const first = json.nodes.length
   json.nodes.push(...names.map((name) => ({ name })))

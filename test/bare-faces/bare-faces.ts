@@ -6,13 +6,11 @@ import { makeBare } from './make-bare.ts'
 
 const fromHere = (path: string) => fileURLToPath(new URL(path, import.meta.url))
 
-/**
- * Face as users bring it: no wrinkles, textures, tangents or morph normals; targets named with `_L` and `_R`. The skin is the mesh `face`.
- */
+/** Face without wrinkles, textures, tangents or morph normals. Its blendshape names end in `_L` and `_R`, and its skin is the mesh `face`. */
 export interface BareFace {
   readonly name: string
   readonly path: string
-  /** Material of the mesh `face`. */
+  /** Name of the skin's material. */
   readonly material: string
   /** Path of a strokes document made for the face's UV layout. */
   readonly strokes: string
@@ -20,12 +18,12 @@ export interface BareFace {
 
 const SCAN = fromHere('../../../shared/real-face/ict-face.glb')
 
-/** Scan outside the repository; empty if the file is missing. */
+/** List with the scanned face. Empty if its file is missing, because the file is not part of the repository. */
 export const SCANS: readonly BareFace[] = existsSync(SCAN)
   ? [{ name: 'scan', path: SCAN, material: 'face', strokes: fromHere('scan-strokes.json') }]
   : []
 
-/** One of our faces, stripped, and the scan if present. */
+/** A shipped face without its wrinkles, and the scanned face if present. */
 export const BARE_FACES: readonly BareFace[] = [
   {
     name: 'bare human-2',
@@ -36,7 +34,7 @@ export const BARE_FACES: readonly BareFace[] = [
   ...SCANS,
 ]
 
-/** Returns the path of the stripped face, cached by a hash of its sources. */
+/** Returns the path of a copy of `human-2.glb` without wrinkles. The file is cached by a hash of its sources. */
 async function cachedBare(): Promise<string> {
   const face = fromHere('../../faces/human-2.glb')
   const hash = createHash('sha256')
@@ -45,7 +43,7 @@ async function cachedBare(): Promise<string> {
   const path = join(folder, `bare-${hash.digest('hex').slice(0, 16)}.glb`)
   if (!existsSync(path)) {
     mkdirSync(folder, { recursive: true })
-    // Written under a temporary name first, because test files run in parallel.
+    // Test files run in parallel. Only a complete file gets the final name, so no test reads half a file.
     const part = `${path}.${process.pid}`
     writeFileSync(part, await makeBare(face))
     renameSync(part, path)

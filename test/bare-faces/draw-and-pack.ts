@@ -21,7 +21,7 @@ const DRIVERS = [
  * Draws wrinkles for a bare face and packs them into it, as users do.
  *
  * @param folder an empty folder for intermediate files.
- * @param options of `furrow pack`.
+ * @param options options of `furrow pack`.
  * @returns path of the packed face.
  */
 export async function drawAndPack(
@@ -31,7 +31,7 @@ export async function drawAndPack(
   ...options: string[]
 ): Promise<string> {
   const file = (name: string) => join(folder, name)
-  // Rewritten to fix the scan's accessor bounds.
+  // Writes the face again, which corrects the wrong accessor bounds of the scan.
   const io = new NodeIO().setLogger(new Logger(Logger.Verbosity.SILENT))
   writeFileSync(file('face.glb'), await io.writeBinary(await io.read(path)))
   for (const made of ['layers/expression', 'areas']) mkdirSync(file(`drawn/${made}`), { recursive: true })

@@ -9,15 +9,15 @@ import {
 } from '@gltf-transform/core'
 import { prune } from '@gltf-transform/functions'
 
-/** Our targets that move both sides; other faces have one per side. */
+/** Blendshapes of the shipped face that move both sides. Many other faces have one per side instead. */
 const BOTH_SIDES = ['browInnerUp', 'cheekPuff']
 
-/** Half width of the cross-fade between the two sides, metres. */
+/** Half the width of the band where one side of a split blendshape fades into the other, metres. */
 const FADE = 0.01
 
-/** Strips a shipped face of everything that `furrow` or its builder added. Returns a `.glb`: see `BareFace`. */
+/** Makes a `BareFace` from a shipped face. Returns a `.glb`. */
 export async function makeBare(path: string): Promise<Uint8Array> {
-  // The wrinkle extension is not registered, so reading drops it.
+  // Without a registered extension, glTF-Transform drops the wrinkles.
   const io = new NodeIO()
     .setLogger(new Logger(Logger.Verbosity.SILENT))
     .setVertexLayout(VertexLayout.SEPARATE)

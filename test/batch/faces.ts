@@ -1,6 +1,6 @@
 import { sheet, sheetGlb } from '../unit/cli/sheet.ts'
 
-/** Makes small faces with different bytes. */
+/** Makes small `.glb` faces that all differ. */
 export function makeFaces(count: number): Promise<Uint8Array[]> {
   return Promise.all(
     Array.from({ length: count }, (_, i) => {
@@ -11,7 +11,7 @@ export function makeFaces(count: number): Promise<Uint8Array[]> {
   )
 }
 
-/** Checks the length in the header of a binary glTF. */
+/** Tells whether a binary glTF has the length given in its header. */
 export function isCompleteGlb(bytes: Buffer): boolean {
   return bytes.toString('latin1', 0, 4) === 'glTF' && bytes.readUInt32LE(8) === bytes.length
 }

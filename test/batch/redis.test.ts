@@ -1,4 +1,4 @@
-// `furrow batch --redis` and `furrow worker` with a real Redis, while workers, Redis and the batch are killed.
+// Tests `furrow batch --redis` and `furrow worker` with a real Redis, while workers, Redis and the batch are killed.
 
 import { type ChildProcess, spawn } from 'node:child_process'
 import { readdirSync, readFileSync, statSync } from 'node:fs'
@@ -107,10 +107,10 @@ it('writes every output exactly once although workers, Redis and the batch are k
   expectAllThere()
 })
 
-it('adds jobs again after Redis lost them', async () => {
+it('adds jobs again after Redis has lost them', async () => {
   const batch = keep(startFurrow(folder, {}, ...WORDS, '--redis', url()))
   const ended = new Promise((done) => batch.once('close', done))
-  // No worker runs yet, so the jobs are only queued.
+  // The batch only queues its jobs, because no worker runs yet.
   await sleep(3000)
   await end(redis)
   await rm(join(folder, 'appendonlydir'), { recursive: true })
@@ -128,7 +128,7 @@ it('finishes the current job before a worker stops', async () => {
   await waitForResults(1)
   const stopped = end(worker, 'SIGTERM')
   expect(await stopped).toBe(0)
-  // The next worker has nothing to wait for.
+  // The first worker left no unfinished job, so the second can start at once.
   startWorker()
   expect(await ended).toBe(0)
   expectAllThere()

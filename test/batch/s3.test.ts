@@ -1,4 +1,4 @@
-// `furrow batch` with S3 addresses, on a small fake store. `bench/batch` uses a real one.
+// Tests `furrow batch` with S3 addresses on a small fake server. `bench/batch` uses a real S3 server.
 
 import { createHash } from 'node:crypto'
 import { mkdtempSync, readFileSync, rmSync } from 'node:fs'
@@ -12,11 +12,11 @@ import { runFurrow } from '../pages/run-furrow.ts'
 import { isCompleteGlb, makeFaces } from './faces.ts'
 
 const folder = mkdtempSync(join(tmpdir(), 'furrow-s3-'))
-/** Objects by bucket/key. */
+/** Stored objects by `bucket/key`. */
 const objects = new Map<string, Buffer>()
 const puts: string[] = []
 let server: Server
-/** Number of requests to answer with "slow down". */
+/** Number of uploads that the server still refuses with status 503. */
 let refusals = 0
 
 const tagOf = (bytes: Buffer) => `"${createHash('md5').update(bytes).digest('hex')}"`
@@ -69,8 +69,8 @@ const batch = (...words: string[]) => {
 }
 const ALL = ['s3://avatars/in/', '-o', 's3://avatars/out', '--size', '512']
 
-it('reads all faces under an address and puts each output once', async () => {
-  // The SDK retries three times on its own.
+it('reads all faces under an address and writes each output once', async () => {
+  // The AWS SDK retries a request three times, so four refusals also test the retry of the batch.
   refusals = 4
   const { code, stdout, stderr } = await batch(...ALL)
   expect(code, stderr).toBe(0)

@@ -1,4 +1,4 @@
-/** Fills README's table of browsers. */
+/** Records each browser's version and graphics APIs for the table of browsers in README.md, and tests the studio and an example. */
 
 import type { ViteDevServer } from 'vite'
 import { afterAll, beforeAll, describe, expect, test } from 'vitest'
@@ -11,7 +11,7 @@ import { openWindow } from './window.ts'
 
 declare module 'vitest' {
   interface TaskMeta {
-    /** Result for `scripts/browsers.mjs`. */
+    /** Capabilities of a browser, read by `scripts/browsers.mjs`. */
     browser?: { version?: string; webgl2?: boolean; webgpu?: boolean; auto?: boolean; studio?: boolean }
   }
 }
@@ -32,7 +32,7 @@ afterAll(async () => {
 describe.each(DRIVEN)('in %s', (_, kind) => {
   const window = openWindow(kind)
 
-  test('shows its first face in the studio', async ({ task }) => {
+  test('the studio opens and shows its first face', async ({ task }) => {
     await window.resize(1120, 700)
     await window.browser.open(studio.address)
     await window.until("document.querySelector('#stage[aria-busy=false]')")
@@ -44,7 +44,7 @@ describe.each(DRIVEN)('in %s', (_, kind) => {
     task.meta.browser = { version: window.browser.version, ...found, studio: true }
   })
 
-  test('keeps rendering in auto.html while wrinkles are made', async ({ task }) => {
+  test('the example auto.html makes wrinkles and shows them', async ({ task }) => {
     await window.resize(450, 480)
     await window.browser.open(`${server.origin}/examples/auto.html`)
     await window.until("document.querySelector('canvas') && !document.querySelector('progress')")

@@ -20,10 +20,10 @@ describe.each(DRIVEN)('in %s', (_, kind) => {
 
   beforeAll(() => window.resize(...SIZE))
 
-  // `capabilities.test.ts` opens auto.html, which makes wrinkles. Only the tests of `pages` can answer requests to esm.sh.
-  const opened = EXAMPLES.filter(({ test, cdn }) => !test && !cdn)
+  // Opens the examples that `npm test` opens, and one with Babylon.js. `test/pages` opens all examples in Chromium.
+  const opened = EXAMPLES.filter(({ page, quick }) => quick || page === 'babylon')
   test.each(opened.map((example) => [addressOf(example), example.region] as const))(
-    'shows wrinkles in %s',
+    'the example %s shows wrinkles',
     async (page, region) => {
       await window.browser.open(`${server.origin}/examples/${page}`)
       await window.until("document.querySelector('canvas')")
@@ -32,7 +32,7 @@ describe.each(DRIVEN)('in %s', (_, kind) => {
     },
   )
 
-  test('smooths the face when a slider of inputs.html is dragged back', async () => {
+  test('the face in inputs.html becomes smooth when a slider is dragged back to 0', async () => {
     await window.browser.open(`${server.origin}/examples/inputs.html?stress=100`)
     await window.until("document.querySelector('canvas')")
     const region = EXAMPLES.find(({ page }) => page === 'inputs')!.region

@@ -1,4 +1,4 @@
-// Runs in every page before the page's own scripts: see page-helper.ts.
+// Functions that tests call in a page. `withHelper` in page-helper.ts inserts them before the page's own scripts.
 
 const complaints = []
 for (const level of ['error', 'warn']) {
@@ -25,27 +25,19 @@ URL.createObjectURL = (blob) => {
 }
 
 /**
- * Draws the page's scene with and without wrinkles at the same time, with the page's renderer.
- * @returns largest difference in a region given in fractions of the picture, and the contrast of the complete picture.
+ * Draws the page's scene with and without wrinkles at the same animation time, and compares the red channels.
+ * The region's edges are fractions of the picture.
+ * @returns largest difference within the region, and contrast of the complete picture, both 0..255.
  */
 async function compareWrinkles({ left, top, right, bottom }) {
   const imports = document.querySelector('script[type=importmap]').textContent
-  const furrow = imports.includes('furrow/three') ? 'furrow/three' : 'furrow/webgpu'
-  const [{ Scene }, { wrinklesOf }] = await Promise.all([import('three'), import(furrow)])
-  const [renderer, scene, camera] = await new Promise((resolve) => {
-    Scene.prototype.onBeforeRender = (...drawn) => resolve(drawn)
-  })
-  delete Scene.prototype.onBeforeRender
-  // Lets the current frame end.
-  await new Promise((resolve) => setTimeout(resolve))
-  const all = new Set()
-  scene.traverse((object) => object.isMesh && all.add(wrinklesOf(object)))
-  all.delete(undefined)
-  const [wrinkled, smooth] = ['default', 'off'].map((mode) => {
+  const { all, draw } = await (imports.includes('furrow/babylon') ? babylonScene() : threeScene(imports))
+  const drawn = []
+  for (const mode of ['default', 'off']) {
     for (const wrinkles of all) wrinkles.mode = mode
-    renderer.render(scene, camera)
-    return pixelsOf(renderer.domElement)
-  })
+    drawn.push(pixelsOf(await draw()))
+  }
+  const [wrinkled, smooth] = drawn
   for (const wrinkles of all) wrinkles.mode = 'default'
   const { width, height, data } = wrinkled
   let difference = 0
@@ -62,6 +54,42 @@ async function compareWrinkles({ left, top, right, bottom }) {
   return { difference, contrast: high - low }
 }
 
+/** Returns the wrinkles of a page's scene, and a function that draws the scene and returns its canvas. */
+async function threeScene(imports) {
+  const furrow = imports.includes('furrow/three') ? 'furrow/three' : 'furrow/webgpu'
+  const [{ Scene }, { wrinklesOf }] = await Promise.all([import('three'), import(furrow)])
+  const [renderer, scene, camera] = await new Promise((resolve) => {
+    Scene.prototype.onBeforeRender = (...drawn) => resolve(drawn)
+  })
+  delete Scene.prototype.onBeforeRender
+  // Lets the current frame end.
+  await new Promise((resolve) => setTimeout(resolve))
+  const all = new Set()
+  scene.traverse((object) => object.isMesh && all.add(wrinklesOf(object)))
+  all.delete(undefined)
+  const draw = () => {
+    renderer.render(scene, camera)
+    return renderer.domElement
+  }
+  return { all, draw }
+}
+
+/** Does the same as `threeScene` for a page with Babylon.js. */
+async function babylonScene() {
+  const [{ EngineStore }, { wrinklesOf }] = await Promise.all([
+    import('@babylonjs/core/Engines/engineStore.js'),
+    import('furrow/babylon'),
+  ])
+  const { LastCreatedScene: scene, LastCreatedEngine: engine } = EngineStore
+  const draw = async () => {
+    // Wait, because Babylon.js compiles the shaders of a mode in the background and draws no mesh before its shader is ready.
+    await scene.whenReadyAsync()
+    scene.render()
+    return engine.getRenderingCanvas()
+  }
+  return { all: wrinklesOf(scene), draw }
+}
+
 function pixelsOf(canvas) {
   const { width, height } = canvas
   const context = new OffscreenCanvas(width, height).getContext('2d')
@@ -69,7 +97,7 @@ function pixelsOf(canvas) {
   return context.getImageData(0, 0, width, height)
 }
 
-/** Finds the first visible element that matches a selector and whose label or text is `name`, in the fieldset `group` if given. */
+/** Finds the first visible element that matches a selector. Optional: `name` is its label or text, `group` the label of its fieldset. */
 function findElement(selector, name, group) {
   const labelOf = (fieldset) => document.getElementById(fieldset.getAttribute('aria-labelledby'))?.textContent
   const fieldsets = [...document.querySelectorAll('fieldset')]
@@ -81,13 +109,13 @@ function findElement(selector, name, group) {
   })
 }
 
-/** Scrolls to an element. Returns its rectangle once it stays in the window, otherwise `null`. */
+/** Scrolls to an element. Returns its rectangle in the window, or `null` if it is missing, still moving, or outside the window. */
 async function reachElement(...names) {
   const element = findElement(...names)
   if (!element) return null
   element.scrollIntoView({ block: 'center' })
   const before = element.getBoundingClientRect()
-  // Rows that scroll into view may change height and move other rows.
+  // Wait, because rows of a list can change their height when they become visible, and then move other rows.
   await new Promise((resolve) => setTimeout(resolve, 500))
   await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)))
   const { x, y, width, height } = element.getBoundingClientRect()

@@ -1,4 +1,4 @@
-/** An artist's path by mouse in browsers other than Chromium: a short version of `test/pages/studio-way.ts`. */
+/** Uses the studio by mouse in browsers other than Chromium, in fewer steps than `test/pages/studio-way.ts`. */
 
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
@@ -18,10 +18,10 @@ import { openWindow } from './window.ts'
 const WIDE = { width: 1280, height: 800 }
 const NARROW = { width: 447, height: 844 }
 
-/** Window sizes by browser. WebKitGTK takes three minutes for each. */
+/** Window sizes to test. WebKitGTK gets only one, because it takes three minutes per size. */
 const windowsOf = ({ name }: BrowserKind) => (name === 'webkit' ? [WIDE] : [WIDE, NARROW])
 
-/** Height of the chin on the stage, as a fraction of the stage. */
+/** Vertical position of the chin, as a fraction of the stage's height. */
 const CHIN = 0.67
 
 const BROWS = ['browInnerUp', 'browOuterUpLeft', 'browOuterUpRight']
@@ -59,7 +59,7 @@ describe.each(DRIVEN)('studio in %s', (_, kind) => {
       await window.until(`${chosen} === '${face}' && ${isShown}`)
     }
 
-    /** Takes pictures of the middle of the stage until two in a row are equal. */
+    /** Takes pictures of the middle of the stage until two consecutive ones are equal. */
     async function shoot(): Promise<Buffer> {
       const stage = await window.find('#viewport')
       const middle = {
@@ -88,7 +88,7 @@ describe.each(DRIVEN)('studio in %s', (_, kind) => {
       return meanPngDifference(wrinkled, plain)
     }
 
-    /** Drags the divider to the left edge of the stage. */
+    /** Drags the divider between the smooth and the wrinkled part to the left edge of the stage. */
     async function showWrinklesEverywhere(): Promise<void> {
       const divider = await window.find('#divider')
       const [x, y] = [divider.x + divider.width / 2, divider.y + divider.height / 2]

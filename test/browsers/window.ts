@@ -4,10 +4,9 @@ import type { Region } from '../pages/pixels.ts'
 import type { BrowserKind, DrivenBrowser } from './drive/driven-browser.ts'
 import { launch } from './drive/launch.ts'
 
-/** Folder for screenshots. */
 const OUTPUT = new URL('../output/browsers/', import.meta.url)
 
-/** Time limit for pages that compute and draw without a GPU. */
+/** Time limit and polling interval, milliseconds. The limit is long, because pages draw without a GPU. */
 const PATIENCE = { timeout: 300_000, interval: 250 }
 
 /** WebDriver's code for the control key. */
@@ -27,7 +26,7 @@ interface Box {
 
 type Point = readonly [x: number, y: number]
 
-/** Browser window whose pages contain the helper. */
+/** Browser window whose pages contain page-helper.js. */
 export class Window {
   browser!: DrivenBrowser
 
@@ -37,12 +36,12 @@ export class Window {
     return this.browser.evaluate(body)
   }
 
-  /** Draws the page's scene with and without wrinkles. Returns their largest difference in a region, and the picture's contrast. */
+  /** Draws the page's scene with and without wrinkles. Returns the largest difference in a region, and the picture's contrast. */
   compareWrinkles(region: Region): Promise<{ difference: number; contrast: number }> {
     return this.evaluate(`return furrowTest.compareWrinkles(${JSON.stringify(region)})`)
   }
 
-  /** Waits until a picture has contrast and shows wrinkles in a region. Wrinkles fade in or follow a moving face. */
+  /** Waits until the picture has contrast and shows wrinkles in a region. Wrinkles may fade in or follow an animation. */
   async waitForWrinkles(region: Region): Promise<void> {
     await vi.waitFor(async () => {
       const { difference, contrast } = await this.compareWrinkles(region)
@@ -67,13 +66,12 @@ export class Window {
     }, PATIENCE)
   }
 
-  /** Clicks an element. */
   async click(...names: Names): Promise<void> {
     const { x, y, width, height } = await this.find(...names)
     await this.drag([[x + width / 2, y + height / 2]])
   }
 
-  /** Clicks a text field and replaces its text by keyboard. */
+  /** Clicks a text field and replaces its text. */
   async type(text: string, ...names: Names): Promise<void> {
     await this.click(...names)
     const press = (key: string) => [
@@ -84,7 +82,7 @@ export class Window {
     await this.browser.act([{ type: 'key', id: 'keyboard', actions: [...all, ...[...text].flatMap(press)] }])
   }
 
-  /** Presses the mouse at the first point, moves it along the others and releases it. */
+  /** Presses the mouse button at the first point, moves to each of the other points, and releases the button. */
   async drag([first, ...others]: readonly Point[]): Promise<void> {
     const move = ([x, y]: Point, duration = 0) => {
       return { type: 'pointerMove', duration, x: Math.round(x), y: Math.round(y) }
@@ -112,7 +110,7 @@ export class Window {
     ])
   }
 
-  /** Resizes the window until the page has this size, without the window's toolbars. */
+  /** Resizes the window so that the page, without toolbars, has the given size. */
   async resize(width: number, height: number): Promise<void> {
     await this.browser.resize(width, height)
     const lacking = () => this.evaluate<Point>(`return [${width} - innerWidth, ${height} - innerHeight]`)
@@ -127,7 +125,7 @@ export class Window {
   }
 }
 
-/** Driver performance messages, and three.js warnings about extensions that the browser lacks. */
+/** Messages that are ignored: performance hints of the graphics driver, and warnings of three.js about missing extensions. */
 const NOT_OURS = /GL Driver Message|extension not supported|WebGPU is not available/
 
 /** Opens a window for all tests in the current `describe`. Pages must not log warnings or errors. */

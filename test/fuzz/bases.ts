@@ -10,17 +10,17 @@ import { packCommand } from '../../packages/cli/src/commands/pack.ts'
 import { accessorsOf } from '../accessors.ts'
 import { quietly } from './quietly.ts'
 
-/** Columns and rows of quads in the face. */
+/** Number of quads along each side of the face. */
 const GRID = 8
 /** Radius and height of the face, metres. */
 const RADIUS = 0.075
 const HEIGHT = 0.2
-/** Side of the face's UV island. `auto` draws every texel of the island. */
+/** Width and height of the face's UV island, in texture coordinates. Small, because `auto` draws every texel of the island. */
 const ISLAND = 0.5
-/** Side of the face's images, texels. */
+/** Width and height of the face's images, texels. */
 const SIDE = 64
 
-/** Centre of each blendshape on the skin and its displacement there, metres. */
+/** Centre of each blendshape on the skin (`x`, `y`) and its displacement at the centre (`across`, `up`), metres. */
 const SHAPES: Record<string, { x: number; y: number; across: number; up: number }> = {
   browInnerUp: { x: 0, y: 0.04, across: 0, up: 0.01 },
   browDownLeft: { x: 0.02, y: 0.04, across: -0.002, up: -0.006 },
@@ -29,22 +29,21 @@ const SHAPES: Record<string, { x: number; y: number; across: number; up: number 
   mouthSmileLeft: { x: 0.026, y: -0.045, across: 0.008, up: 0.01 },
   mouthSmileRight: { x: -0.026, y: -0.045, across: -0.008, up: 0.01 },
 }
-/** Reach of a blendshape, metres. */
+/** Radius at which the displacement of a blendshape has fallen to 1/e, metres. */
 const SHAPE_RADIUS = 0.02
 const LAYERS = ['age', 'expression']
 const AREAS = ['brow', 'cheek', 'chin', 'eye', 'nose']
 
-/** Files to damage: valid and small, and each covers something that the others lack. */
+/** Small valid files that the fuzzer damages. Each has features that the others lack. */
 export interface Bases {
   faces: Map<string, Buffer>
-  /** Folder as `furrow pack` reads it, with strokes, without its face. */
+  /** Bytes by path: the input files of `furrow pack` except the face, and a strokes document. */
   folder: Map<string, Buffer>
   strokes: Buffer
   array: Buffer
   height: Buffer
 }
 
-/** Writes the files into a folder. */
 export async function writeBases(root: string): Promise<void> {
   const write = (name: string, bytes: Uint8Array | string) => {
     mkdirSync(join(root, name, '..'), { recursive: true })
@@ -167,7 +166,7 @@ const STROKES = {
   areas: [{ name: 'brow', shapes: [{ group: 'brow', radius: 6, feather: 8 }] }],
 }
 
-/** Noise that uses every value, so that no tool treats the image as one colour. */
+/** Makes a PNG of noise, because tools may store an image of one colour in another way. */
 function picture(seed: number, channels: 1 | 3): Promise<Uint8Array> {
   const data = Uint8Array.from({ length: channels * SIDE * SIDE }, (_, i) => (i * 37 + seed * 101) % 251)
   const image = sharp(data, { raw: { width: SIDE, height: SIDE, channels } })
@@ -203,9 +202,9 @@ async function makeFaces(): Promise<[name: string, bytes: Uint8Array][]> {
 }
 
 /**
- * Half a cylinder named `skin` with a nose and blendshapes that compress parts of the skin, and a second mesh.
+ * Makes a document with the meshes `skin` and `eyes`. The skin is half a cylinder with a nose, and its blendshapes compress it.
  *
- * @param isFace false gives blendshapes names that no face uses, so that `auto` places lines by strain alone.
+ * @param isFace true for blendshape names of ARKit. With meaningless names, `auto` places wrinkle lines by strain alone.
  */
 async function faceDocument(isFace: boolean): Promise<Document> {
   const document = new Document().setLogger(new Logger(Logger.Verbosity.SILENT))
@@ -288,7 +287,7 @@ interface View {
   byteLength: number
 }
 
-/** Returns the bytes of the longest image in a file. */
+/** Returns the bytes of the largest image in a `.glb`. */
 function largestImage(glb: Buffer): Buffer {
   const length = glb.readUInt32LE(12)
   const json = JSON.parse(glb.toString('utf8', 20, 20 + length))

@@ -23,13 +23,13 @@ import { writeFace } from './write-face.ts'
 /** One run of a command on a damaged file. */
 export interface Case {
   run(): Promise<unknown>
-  /** Faces that the command may write, with the input of each. */
+  /** Paths of the faces that the command may write, and of the faces that they are made from. */
   faces: { output: string; input: string }[]
   /** Total size of the input files, bytes. */
   bytes: number
 }
 
-/** Folder for the inputs and outputs of a case. */
+/** Writes the input files of a case and adds up their sizes. */
 class Folder {
   readonly root: string
   bytes = 0
@@ -72,7 +72,7 @@ function damagedJson(document: Buffer, random: Random): string {
   return textOf(json)
 }
 
-/** Writes a wrinkle set as files, with one or two damaged. */
+/** Writes the files of a wrinkle set, one of them damaged. */
 function writeWrinkles(bases: Bases, random: Random, folder: Folder): void {
   const documents = ['wrinkles.json', 'wrinkles.json', 'strokes.json']
   const damaged = random.pick(random.chance(0.6) ? documents : [...bases.folder.keys()])
@@ -82,7 +82,7 @@ function writeWrinkles(bases: Bases, random: Random, folder: Folder): void {
   }
 }
 
-/** Output names of a face. */
+/** Names for the output file. The extension selects the format. `.glb` is listed twice, to pick it more often. */
 const OUTPUTS = ['out.glb', 'out.glb', 'out.vrm', 'out.gltf']
 
 const CASES: Record<string, CaseMaker> = {
@@ -104,7 +104,7 @@ const CASES: Record<string, CaseMaker> = {
   },
   auto: (bases, random, folder) => {
     const [input, output] = [writeDamaged(bases, random, folder), folder.path(random.pick(OUTPUTS))]
-    // Expensive options are tried less often. Reports contain no pictures because child.ts hides the browser.
+    // Slow options are picked less often.
     const strokes = ['--strokes', folder.path('strokes.json')]
     const rare = [['--ktx2'], ['--report', folder.path('report')], ['--age', '80'], strokes]
     const options = random.chance(0.3) ? random.pick(rare) : []
@@ -178,7 +178,7 @@ const CASES: Record<string, CaseMaker> = {
   },
 }
 
-/** All commands that read users' files. */
+/** Names of the commands that read users' files. */
 export const COMMANDS = Object.keys(CASES)
 
 /** Writes the damaged files of a case into a folder. */

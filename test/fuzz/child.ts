@@ -1,4 +1,4 @@
-// Process that tries files; see pool.ts. Tasks and results are messages.
+// Entry of a process that runs commands on damaged files. `pool.ts` starts it, sends tasks and receives results as messages.
 
 import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync } from 'node:fs'
 import { join } from 'node:path'
@@ -14,18 +14,18 @@ import { peakMemory } from './peak-memory.ts'
 import { quietly } from './quietly.ts'
 import { Random } from './random.ts'
 
-/** File to try. */
+/** Describes one damaged file, which depends only on `command`, `seed` and `index`. */
 export interface Task {
   command: string
   seed: number
   index: number
-  /** Processor time after which this process ends itself, seconds. */
+  /** Processor time after which the process ends itself, seconds. */
   seconds: number
-  /** Folder for the task's files: emptied first, and kept for inspection. */
+  /** Folder for the task's files. It is emptied first, and kept afterwards for inspection. */
   folder: string
 }
 
-/** Result of a run. `success`, `refused` and `findings` are expected. */
+/** Outcome of a run. Only `success`, `refused` and `findings` are expected. */
 export type Outcome =
   | 'success'
   | 'refused'
@@ -40,17 +40,17 @@ export type Outcome =
 
 export interface Result {
   outcome: Outcome
-  /** Error, or problems found. */
+  /** Text of the error, or the problems in the output. */
   message: string
-  /** Processor time, because wall time depends on other processes. */
+  /** Processor time. Wall time would depend on other processes. */
   milliseconds: number
-  /** Size of the files read, bytes. */
+  /** Total size of the input files, bytes. */
   bytes: number
   /** Peak resident memory of the process so far, bytes. */
   peak: number
 }
 
-/** Processor time at which this process ends, milliseconds. A thread checks the deadline, because a hanging file blocks this thread. */
+/** Processor time at which this process ends, milliseconds. A second thread checks it, because an endless loop blocks the main thread. */
 const deadline = new Float64Array(new SharedArrayBuffer(8)).fill(Number.POSITIVE_INFINITY)
 const WATCH = `
   const { workerData } = require('node:worker_threads')
@@ -60,7 +60,7 @@ const WATCH = `
   }, 200)`
 new Worker(WATCH, { eval: true, workerData: deadline }).unref()
 
-// Reports have no pictures of the face: starting a browser would take seconds each time.
+// No browser is at this path, so reports get no pictures. A browser per report would take seconds.
 process.env.FURROW_CHROMIUM = process.argv[2]!
 
 const bases = readBases(process.argv[2]!)
@@ -98,7 +98,7 @@ async function attempt({ command, seed, index, seconds, folder }: Task): Promise
   return { outcome, message, milliseconds, bytes: made.bytes, peak }
 }
 
-/** Messages of engines and libraries about unexpected values, which tell users nothing. */
+/** Matches internal messages of JavaScript engines and libraries, which do not help users. */
 const UNCLEAR = /undefined|of null|is not (a function|iterable)|\[object|typed array|call stack/i
 
 function judge(error: unknown): [Outcome, string] {
@@ -106,7 +106,7 @@ function judge(error: unknown): [Outcome, string] {
   return [UNCLEAR.test(error.message) ? 'unclear error' : 'refused', error.message]
 }
 
-/** Returns the Khronos validator's codes and stroke problems that a command's output has and its input lacks. */
+/** Returns the problems that a command has added: error codes of the Khronos validator, and stroke problems. */
 async function newErrors({ faces }: Case): Promise<string> {
   const found: string[] = []
   for (const { output, input } of faces) {
@@ -115,7 +115,7 @@ async function newErrors({ faces }: Case): Promise<string> {
     found.push(...(await strokeProblems(output)).filter((problem) => !known.includes(problem)))
     const [old, now] = [await errorsOf(input), await errorsOf(output)]
     if (!old || !now) continue
-    // The validator may skip data checks in a file with errors, so fixing those errors reveals others.
+    // In a file with errors, the validator may skip checks of accessor data. So errors of accessors count only if the input has no errors.
     const isNew = (code: string) => !old.includes(code) && !(old.length > 0 && code.startsWith('ACCESSOR_'))
     found.push(...now.filter(isNew))
   }
@@ -128,44 +128,44 @@ async function strokeProblems(path: string): Promise<string[]> {
     const files = wrinkledMaterials(glb).map((material) => parseWrinkledFile(glb, material, 'strokes'))
     return files.flatMap((file) => strokesIn(file, 'strokes').problem ?? [])
   } catch {
-    // The validator reports the other problems of a face.
+    // The file is damaged outside the strokes, and the validator reports this damage.
     return []
   }
 }
 
 let giveUp = () => {}
 process.on('uncaughtException', (error: NodeJS.ErrnoException) => {
-  // The validator also throws values that are not errors and have no stack.
+  // The validator also throws values that are not an `Error` and have no stack.
   const isValidators = error.code === 'ERR_UNHANDLED_REJECTION' || error.stack?.includes('gltf_validator')
   if (!isValidators) throw error
   giveUp()
 })
 
 /**
- * Returns undefined if the validator gives up. Damaged JSON rejects the validator's promise. Damaged images make it
- * throw outside the promise, which may then never settle.
+ * Returns the errors of the Khronos validator, or undefined if the validator fails. Its promise rejects for damaged JSON.
+ * For damaged images, the validator throws outside of the promise, and the promise may never settle.
  */
 async function errorsOf(path: string): Promise<string[] | undefined> {
   const bytes = new Uint8Array(readFileSync(path))
-  // Copied, because the validator reads from the start of the buffer, and small files share a buffer.
+  // Copies the bytes, because Node puts small files into a shared buffer, and the validator reads from the start of the buffer.
   const readBeside = async (uri: string) =>
     new Uint8Array(readFileSync(join(path, '..', decodeURIComponent(uri))))
   const report = await new Promise<Report | undefined>((resolve) => {
     giveUp = () => resolve(undefined)
-    // Unlimited: otherwise the last issues appear only after others are fixed.
+    // 0 removes the limit on the number of issues. A limit could hide an error of the input. The same error in the output would then count as new.
     validateBytes(bytes, { maxIssues: 0, externalResourceFunction: readBeside }).then(resolve, giveUp)
   })
   const errors = report?.issues.messages.filter(
     ({ severity, message }) => severity === 0 && !message.includes('ktx2'),
   )
-  // A command may move an image from a buffer view to a file.
+  // Shortens JSON pointers, because a command may renumber items and move an image from a buffer view to a file.
   const where = (pointer = '') => pointer.replaceAll(/\d+/g, 'n').replace(/\/(bufferView|uri)$/, '')
   return errors?.map(({ code, pointer }) => `${code} ${where(pointer)}`)
 }
 
 type Report = Awaited<ReturnType<typeof validateBytes>>
 
-/** FNV-1a. */
+/** Computes the 32-bit FNV-1a hash of a text. */
 function hashOf(text: string): number {
   let hash = 0x811c9dc5
   for (const byte of Buffer.from(text)) hash = Math.imul(hash ^ byte, 0x01000193)

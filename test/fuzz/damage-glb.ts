@@ -6,7 +6,7 @@ import type { Random } from './random.ts'
 
 const EXTENSION = 'FURROW_wrinkle_maps'
 
-/** Damages a face in one to three ways specific to glTF. */
+/** Returns a damaged copy of a `.glb`, with one to three changes of its JSON, buffer or images, or a damaged container. */
 export function damageGlb(face: Buffer, random: Random): Buffer {
   if (random.chance(0.08)) return damageContainer(face, random)
   let parts = splitGlb(face)
@@ -14,7 +14,7 @@ export function damageGlb(face: Buffer, random: Random): Buffer {
     try {
       parts = random.pick(DAMAGES)(parts, random) ?? parts
     } catch {
-      // An earlier change removed the part to damage.
+      // An earlier change removed the data that this one needs.
     }
   }
   return joinGlb(parts, textOf(parts.json))
@@ -22,7 +22,7 @@ export function damageGlb(face: Buffer, random: Random): Buffer {
 
 type Damage = (parts: GlbParts, random: Random) => GlbParts | undefined
 
-/** Changes JSON inside one of the document's lists. */
+/** Returns a function that changes the part of the JSON that `find` returns. */
 const below =
   (find: (json: Anything, random: Random) => Anything): Damage =>
   ({ json }, random) => {
@@ -151,7 +151,7 @@ function damageData({ json, bin }: GlbParts, random: Random): GlbParts {
   return { json, bin: damaged }
 }
 
-/** Damages headers, chunks and arbitrary bytes. */
+/** Returns a copy of a `.glb` with damage to headers, chunks or arbitrary bytes. */
 function damageContainer(face: Buffer, random: Random): Buffer {
   if (random.chance(0.5)) return damageBytes(face, random)
   const damaged = Buffer.from(face)

@@ -3,7 +3,7 @@ import { crc32 } from '../crc32.ts'
 import { damageBytes } from './damage-bytes.ts'
 import type { Random } from './random.ts'
 
-/** Returns bytes that are no image, an oversized image, or an image in an unsupported format. */
+/** Returns damaged image bytes, other bytes, an oversized image, or an image in an unsupported format. */
 export function hostileImage(random: Random, original: Buffer): Buffer {
   const isKtx2 = original[1] === 0x4b
   return random.pick<(random: Random, original: Buffer) => Buffer>([
@@ -31,7 +31,7 @@ const SVG_BOMB = `<svg xmlns="http://www.w3.org/2000/svg" width="8000" height="8
 ).join('')}</defs><use href="#a7"/></svg>`
 const GIF = 'R0lGODlhAQABAIAAAAAAAP///yH5BAEAAAAALAAAAAABAAEAAAIBRAA7'
 
-/** Offsets of sizes and positions in a KTX 2 header (KTX 2.0, 3.1). */
+/** Byte offsets of the sizes and offsets in a KTX 2 header (KTX 2.0 specification, section 3.1). */
 const KTX2_FIELDS = [12, 16, 20, 24, 28, 32, 36, 40, 44, 48, 52, 56, 60, 64, 72, 80, 88, 96]
 const KTX2_NUMBERS = [0, 1, 2, 3, 4, 9, 16, 37, 43, 64, 255, 4096, 8192, 16_384, 65_536, 2 ** 31, 2 ** 32 - 1]
 
@@ -44,7 +44,7 @@ export function damageKtx2(random: Random, original: Buffer): Buffer {
   return bytes
 }
 
-/** Changes numbers in the first bytes, where most formats store sizes. */
+/** Returns a copy with changed numbers in the first bytes, where most formats store sizes. */
 export function damageHeader(random: Random, original: Buffer): Buffer {
   const bytes = Buffer.from(original)
   for (let changes = 1 + random.int(3); changes > 0; changes--) {

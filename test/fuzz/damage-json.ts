@@ -58,7 +58,7 @@ const JUNK: Anything[] = [
   { toString: 1, valueOf: null },
 ]
 
-/** Placeholder for text that is too deep for `JSON.stringify`. */
+/** Placeholder for arrays or objects that are nested too deeply for `JSON.stringify`. */
 const DEEP = 'furrow-fuzz-deep'
 const DEPTHS = [40, 200, 1000, 6000, 50_000]
 
@@ -97,7 +97,7 @@ export function damageJson(document: Anything, random: Random): void {
   else node.parent[node.key] = structuredClone(random.pick(JUNK))
 }
 
-/** Serialises a document, and expands the deep parts made by `damageJson`. */
+/** Serialises a document, and expands the placeholders that `damageJson` inserted. */
 export function textOf(document: Anything): string {
   return JSON.stringify(document).replace(/"furrow-fuzz-deep (\d+) (.)"/g, (_, depth, open) => {
     return open === '['

@@ -9,25 +9,23 @@ import type { Outcome } from './child.ts'
 import { FINE, type FileLimits, type Tried, tryFiles } from './pool.ts'
 
 export interface FuzzOptions {
-  /** The bundled child.ts. */
+  /** Path of the bundled child.ts. */
   child: string
   commands?: readonly string[]
   seed: number
-  /** Index of the first file. Files depend on seed and index only. */
+  /** Index of the first file. A file depends only on command, seed and index. */
   first?: number
   /** Number of files per command. */
   count: number
   limits: FileLimits
-  /** Number of parallel processes. */
   jobs: number
-  /** Folder for files that fail. */
+  /** Folder that receives the files with unexpected outcomes. */
   keep: string
   report?: (text: string) => void
-  /** Ends the run early with the results so far. */
+  /** Ends the run early. The results so far are returned. */
   stop?: AbortSignal
 }
 
-/** Results of one command. */
 export interface CommandResults {
   command: string
   tried: Tried[]
@@ -35,7 +33,7 @@ export interface CommandResults {
 }
 
 /**
- * Tries damaged files with commands.
+ * Runs commands on damaged files.
  *
  * @throws FurrowError for a command that is not in `COMMANDS`.
  */
@@ -86,7 +84,7 @@ function failureText(command: string, { index, outcome, message, milliseconds }:
   return `  ${command} ${index}: ${outcome} after ${(milliseconds / 1000).toFixed(1)} s: ${message}`
 }
 
-/** Summarises outcomes, and the slowest and largest runs. */
+/** Returns a summary of the outcomes, with the slowest run and the one with the highest peak memory. */
 function summaryText(command: string, tried: readonly Tried[]): string {
   const counts = new Map<Outcome, number>()
   for (const { outcome } of tried) counts.set(outcome, (counts.get(outcome) ?? 0) + 1)

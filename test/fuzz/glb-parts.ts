@@ -1,5 +1,5 @@
-/** JSON of any shape: what follows breaks it in ways that no type allows. */
-// biome-ignore lint/suspicious/noExplicitAny: see above
+/** JSON of any shape. */
+// biome-ignore lint/suspicious/noExplicitAny: the fuzzer breaks JSON in ways that no type allows
 export type Anything = any
 
 /** Parts of a `.glb`, read without checks. */
@@ -13,7 +13,11 @@ export function splitGlb(glb: Buffer): GlbParts {
   return { json: JSON.parse(glb.toString('utf8', 20, end)), bin: Buffer.from(glb.subarray(end + 8)) }
 }
 
-/** @param text JSON text, if `json` cannot be serialised. */
+/**
+ * Writes a `.glb`.
+ *
+ * @param text JSON chunk; default: the serialised `json`.
+ */
 export function joinGlb({ json, bin }: GlbParts, text = JSON.stringify(json)): Buffer {
   const chunk = (type: number, data: Buffer, fill: number) => {
     const head = Buffer.alloc(8)

@@ -1,8 +1,8 @@
 import { readFileSync } from 'node:fs'
 
 /**
- * Returns this process's peak resident memory, bytes. On Linux `maxRSS` starts at the parent's memory, so `VmHWM`
- * (proc(5)) is read instead.
+ * Returns this process's peak resident memory, bytes. On Linux `maxRSS` includes the parent's memory at the start of the
+ * process, so `VmHWM` of proc(5) is read instead.
  */
 export function peakMemory(): number {
   const [, kilobytes] = process.platform === 'linux' ? (/^VmHWM:\s*(\d+)/m.exec(ownStatus()) ?? []) : []

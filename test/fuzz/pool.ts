@@ -4,7 +4,7 @@ import { cpSync, rmSync } from 'node:fs'
 import { join } from 'node:path'
 import type { Outcome, Result, Task } from './child.ts'
 
-/** Limits for a file of up to 10 MB. They grow in proportion for larger files. */
+/** Limits for one file of at most 10 MB. For larger files the limits grow in proportion to the size. */
 export interface FileLimits {
   /** Processor time. */
   seconds: number
@@ -12,10 +12,10 @@ export interface FileLimits {
   megabytes: number
 }
 
-/** Time limit for a process that stopped answering, wall-clock seconds. Long enough for a busy machine. */
+/** Time limit for the answer of a process, wall-clock seconds. Long enough for a busy machine. */
 const PATIENCE = 600
 
-/** Result of one file. */
+/** Result of a command on one damaged file. */
 export interface Tried extends Result {
   index: number
 }
@@ -23,12 +23,12 @@ export interface Tried extends Result {
 export const FINE: readonly Outcome[] = ['success', 'refused', 'findings']
 
 /**
- * Tries files in separate processes, and ends a process that exceeds its limits.
+ * Runs a command on damaged files in separate processes, and ends a process that exceeds its limits.
  *
- * @param child the bundled child.ts.
+ * @param child path of the bundled child.ts.
  * @param bases folder with the undamaged files.
- * @param keep folder for files that fail.
- * @param stop ends the run early, without the file in progress.
+ * @param keep folder that receives the files with unexpected outcomes.
+ * @param stop ends the run early; the files in progress give no result.
  */
 export async function tryFiles(
   { child, bases, work, keep }: { child: string; bases: string; work: string; keep: string },
@@ -45,10 +45,10 @@ export async function tryFiles(
     const folder = join(work, `job-${job}`)
     while (next < first + count && !stop.aborted) {
       const index = next++
-      // Twice the limit, to tell slow files from hanging ones.
+      // Twice the time limit, so that a slow run still reports its time.
       const task = { command, seed, index, folder, seconds: 2 * limits.seconds }
       let result = await process.attempt(task, stop)
-      // An earlier file may have caused the peak, so a new process decides.
+      // An earlier file may have caused the process's peak memory, so try again in a new process.
       if (result.outcome === 'too large') result = await process.attempt(task, stop)
       if (stop.aborted) break
       const tried = { ...result, index }
@@ -65,7 +65,7 @@ export async function tryFiles(
   return all
 }
 
-/** Runs one process at a time, and restarts it after it was ended. */
+/** Sends tasks to a process. Starts another process when the last one has ended. */
 class Attempts {
   readonly #path: string
   readonly #bases: string
@@ -109,14 +109,14 @@ class Attempts {
         ? { ...result, outcome: 'too slow', message }
         : result
     } catch {
-      return failed('too slow', `nothing for ${PATIENCE} s`)
+      return failed('too slow', `no answer within ${PATIENCE} s`)
     } finally {
       clearTimeout(timer)
       done.abort()
     }
   }
 
-  /** Detached from the terminal: Ctrl-C is for the parent, and progress bars would hide the parent's. */
+  /** Starts a process without a terminal. So Ctrl-C reaches only the parent, and only the parent draws a progress bar. */
   #start(): ChildProcess {
     const stdio = ['ignore', 'inherit', 'pipe', 'ipc'] as const
     const child = fork(this.#path, [this.#bases], { stdio: [...stdio], detached: true })

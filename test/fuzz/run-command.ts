@@ -1,4 +1,4 @@
-// Runs one command, `run-command NAME ARGUMENTS`, and prints its cost and result as JSON.
+// `run-command NAME ARGUMENTS` runs one `furrow` command and prints its processor time, peak memory and error as JSON.
 
 import { arrayCommand } from '../../packages/cli/src/commands/array.ts'
 import { inspectCommand } from '../../packages/cli/src/commands/inspect.ts'
@@ -42,5 +42,5 @@ const cost: RunCost = {
   seconds: (userCPUTime + systemCPUTime) / 1e6,
 }
 process.stdout.write(JSON.stringify(cost))
-// Findings of `validate` do not count as failures here.
+// `furrow validate` sets exit code 1 for findings, which are no failure here.
 process.exitCode = 0

@@ -1,7 +1,7 @@
 import { type Anything, imageBytes, splitGlb } from './glb-parts.ts'
 import type { Random } from './random.ts'
 
-/** URIs of other files, data, nothing, remote resources and invalid paths. */
+/** URIs that replace those of a `.gltf`: files, inline data, remote resources, invalid paths and other values. */
 const URIS: Anything[] = [
   'face%2Ebin',
   'image.png',
@@ -42,7 +42,7 @@ export function writeFace(
     write('image.png', image)
     return write('face.gltf', text)
   } catch {
-    // Too damaged to split.
+    // The file is too damaged to split into a `.gltf` and its resources.
     return write('face.glb', glb)
   }
 }

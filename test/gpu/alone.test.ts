@@ -19,7 +19,7 @@ const SIZE = 64
 describe.each(RENDERERS)('a face that is alone in its influence map, on %s', (name) => {
   const harness = harnessOn(name)
 
-  /** The map fills the picture up to its edges, including where coordinates wrap. */
+  /** Creates a square with random wrinkles that fills the picture. `scale` is the number of repetitions of the texture. */
   function wrinkledSquare(scale = 1) {
     const set = randomSet(seeded(7), 6, 16)
     const mesh = square(new MeshPhysicalMaterial(), scale)
@@ -28,18 +28,21 @@ describe.each(RENDERERS)('a face that is alone in its influence map, on %s', (na
     return { mesh, wrinkles, scene: new Scene().add(mesh, new DirectionalLight(), new AmbientLight()) }
   }
 
-  it.each([1, 3])('looks the same after another face joins it, over %i repetitions', async (scale) => {
-    const { wrinkles, scene } = wrinkledSquare(scale)
-    const draw = () => harness.render(scene, squareCamera(), SIZE)
-    const alone = await draw()
-    const other = wrinkledSquare(scale)
-    expect(largestDifference(await draw(), alone)).toBeLessThan(ROUNDING)
-    other.wrinkles.dispose()
-    expect(largestDifference(await draw(), alone)).toBeLessThan(ROUNDING)
-    wrinkles.dispose()
-    const shown = await draw()
-    expect(largestDifference(shown, alone)).toBeGreaterThan(0.1)
-  })
+  it.each([1, 3])(
+    'looks the same after another face joins the map, with %i repetitions of the texture',
+    async (scale) => {
+      const { wrinkles, scene } = wrinkledSquare(scale)
+      const draw = () => harness.render(scene, squareCamera(), SIZE)
+      const alone = await draw()
+      const other = wrinkledSquare(scale)
+      expect(largestDifference(await draw(), alone)).toBeLessThan(ROUNDING)
+      other.wrinkles.dispose()
+      expect(largestDifference(await draw(), alone)).toBeLessThan(ROUNDING)
+      wrinkles.dispose()
+      const shown = await draw()
+      expect(largestDifference(shown, alone)).toBeGreaterThan(0.1)
+    },
+  )
 
   it('switches to the shared program when another face joins, before that face is drawn', async () => {
     const first = wrinkledSquare()
@@ -88,5 +91,5 @@ describe.each(RENDERERS)('normals of layers that point into the surface, on %s',
   })
 })
 
-/** Value that bakers leave in unused texels. */
+/** Black image, because baking programs leave unused texels of normal maps black. Decoded, black points into the surface. */
 const BLACK = { width: 16, height: 16, data: new Uint8Array(4 * 16 * 16) }

@@ -1,4 +1,4 @@
-// Uses no GPU, but a browser, because its workers differ from Node's.
+// Runs in a browser, without drawing, because web workers of browsers differ from those of Node.
 
 import { FurrowError } from 'furrow'
 import { autoWrinkles, type Skin } from 'furrow/author'
@@ -19,11 +19,11 @@ function makeSkin(): Skin {
   }
 }
 
-/** Workers that are running. */
+/** Workers that were created and not terminated. */
 const running = new Set<Worker>()
 const RealWorker = globalThis.Worker
 
-/** Records workers. If a script is given, each worker runs that script instead of ours. */
+/** Records all workers from now on. With `script`, each worker runs this script instead of its own. */
 function watchWorkers(script?: string): void {
   vi.stubGlobal(
     'Worker',

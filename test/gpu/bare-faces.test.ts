@@ -17,7 +17,7 @@ describe.each(BARE_FACES.map((face, i) => ({ ...face, i })))(
       set = author(face, await (await fetch(`/@fs${bare.strokes}`)).json())
     })
 
-    it.each(RENDERERS)('wrinkles on %s where its areas say, and nowhere else', async (name) => {
+    it.each(RENDERERS)('wrinkles on %s inside its active areas, and nowhere else', async (name) => {
       const harness = await createHarness(name)
       const stage = faceScene(face, 'front')
       const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
@@ -55,7 +55,7 @@ describe.each(BARE_FACES.map((face, i) => ({ ...face, i })))(
   },
 )
 
-/** Does what a user does with a bare face: draws strokes and derives everything else. */
+/** Draws strokes on a face without wrinkles, and makes all maps and areas from them. */
 function author({ skin }: Face, strokes: unknown): WrinkleSet {
   const { geometry } = skin
   const document = parseStrokes(strokes)

@@ -1,4 +1,4 @@
 import type { BareFace } from '../bare-faces/bare-faces.ts'
 
-/** Bare faces. Number i is served as `/packed/bare-i.glb`. */
+/** Faces without wrinkles, listed by the test server. It serves number i as `/packed/bare-i.glb`. */
 export const BARE_FACES: readonly BareFace[] = await (await fetch('/packed/bare-faces.json')).json()

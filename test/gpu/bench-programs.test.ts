@@ -25,7 +25,7 @@ describe.each(['webgl', 'webgpu'] as const)('programs of the benchmark on %s', (
       const shared = [await draw(false), await draw(false)]
       const own = [await draw(true), await draw(true)]
       expect(shared[1].programs).toBe(shared[0].programs)
-      // WebGPURenderer numbers the nodes of the vertex shader per copy too.
+      // WebGPURenderer numbers nodes per material copy, so each copy has another vertex shader.
       expect(own[0].programs).toBeGreaterThan(shared[1].programs)
       expect(own[1].programs).toBe(own[0].programs + 1)
       for (const { pixels } of own) expect(pixels).toBe(shared[0].pixels)

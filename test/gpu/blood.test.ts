@@ -1,18 +1,17 @@
-import type { Area, GrayImage, Layer } from 'furrow'
-import { packGrays, reference } from 'furrow/internal'
+import type { Area, Layer } from 'furrow'
 import { Color, DirectionalLight, MeshLambertMaterial, Scene } from 'three'
 import { describe, expect, it } from 'vitest'
 import { randomAreas } from '../cases.ts'
 import { seeded } from '../random.ts'
+import { absorbed } from './absorbed.ts'
 import { largestDifference } from './difference.ts'
 import { casesOn, harnessOn, RENDERERS, square, squareCamera } from './harness.ts'
-import { influenceAt } from './influence-at.ts'
 import { type Kind, MAP, randomLayer } from './layer-values.ts'
 
-const PIXELS = 16
+const PIXELS = MAP
 const AREAS = 4
 
-/** The first of the three layers also has occlusion; the last has neither map. Occlusion changes neither direct nor diffuse light. */
+/** Kinds of maps of three layers. Occlusion, stored in the same texture as blood, must not change the direct light. */
 const LAYERS = { both: ['occlusion', 'blood'], blood: ['blood'], neither: [] } as const satisfies Record<
   string,
   Kind[]
@@ -43,7 +42,7 @@ describe.each(RENDERERS)('blood on %s', (name) => {
 
   it(`absorbs light like the reference in ${cases} random cases`, async () => {
     const random = seeded(17)
-    // Dispose after the next draw, so that the renderer keeps the shared program.
+    // Disposes of a case only after the next one is drawn, so that the renderer keeps the program that all cases use.
     let release = () => {}
     let largestEffect = 0
     for (let i = 0; i < cases; i++) {
@@ -65,7 +64,7 @@ describe.each(RENDERERS)('blood on %s', (name) => {
     release()
   })
 
-  it('changes no bit where the amount equals the amount at rest', async () => {
+  it('changes no bit if the map is neutral everywhere', async () => {
     const random = seeded(18)
     const areas = randomAreas(random, AREAS, MAP)
     const color = new Color(0.71, 0.43, 0.337)
@@ -77,28 +76,3 @@ describe.each(RENDERERS)('blood on %s', (name) => {
     for (const { dispose } of [own, other]) dispose()
   })
 })
-
-/** Applies the reference's blood to the picture at rest. */
-function absorbed(
-  plain: Float32Array,
-  layers: readonly Layer[],
-  areas: readonly Area[],
-  activations: readonly number[],
-): Float32Array {
-  const influence = influenceAt(areas, activations, MAP, NAMES)
-  const maps = layers.map(({ blood }) => blood && packGrays([blood as GrayImage]))
-  const exact = plain.slice()
-  for (let pixel = 0; pixel < PIXELS * PIXELS; pixel++) {
-    const u = ((pixel % PIXELS) + 0.5) / PIXELS
-    const v = 1 - (Math.floor(pixel / PIXELS) + 0.5) / PIXELS
-    const values = layers.flatMap(({ bloodAmplitude }, i) => {
-      const map = maps[i]
-      if (!map) return []
-      const value = [reference.bloodOf(reference.sampleArray(map, u, v, 0)) * bloodAmplitude!]
-      return [{ value, influence: influence(u, v, i) }]
-    })
-    const [blood] = reference.mixValues([0], values)
-    exact.set(reference.bloodColour([...plain.subarray(4 * pixel, 4 * pixel + 3)], blood), 4 * pixel)
-  }
-  return exact
-}

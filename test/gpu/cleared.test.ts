@@ -19,14 +19,14 @@ describe.each(RENDERERS)('fully redrawn influence maps, on %s', (name) => {
       await litPicture(harness, first.scene),
       await litPicture(harness, second.scene),
     ]
-    // Each face in its own cell, because coordinates round differently in other cells.
+    // Compares each face only with itself, because coordinates round differently in another cell of the atlas.
     const [plain, otherPlain] = await pictures()
     a.setActivation('a', 1)
     b.setActivation('c', 1)
     const [shown, other] = await pictures()
     expect(shown).not.toEqual(plain)
     expect(other).not.toEqual(otherPlain)
-    // Changes one face, then both.
+    // Changes one face first, then both.
     a.setActivation('a', 0)
     expect(await pictures()).toEqual([plain, other])
     a.setActivation('a', 1)

@@ -18,7 +18,7 @@ const isOnOldest = inject('threeRelease') === 'oldest'
 describe.each(RENDERERS)('compileAsync on %s', (name) => {
   const harness = harnessOn(name)
 
-  it('compiles everything for the first wrinkled frame, and draws nothing too early', async () => {
+  it('compiles all programs of the first frame with wrinkles, and that frame is complete', async () => {
     const renderer = harness.renderer as WebGLRenderer
     const face = () => {
       const mesh = square(new MeshPhysicalMaterial())
@@ -36,7 +36,7 @@ describe.each(RENDERERS)('compileAsync on %s', (name) => {
     expect(programs).toBeGreaterThan(none + 1)
     renderer.render(scene, squareCamera())
     renderer.setRenderTarget(null)
-    // The oldest supported `WebGPURenderer` compiles the influence programs in the frame.
+    // The oldest supported `WebGPURenderer` compiles the programs of the influence map only in the frame.
     if (!isOnOldest || name === 'webgl') expect(harness.programs()).toBe(programs)
     const shown = (await harness.renderBytes(scene, squareCamera(), SIZE)).join()
     wrinkles.dispose()
@@ -50,7 +50,7 @@ describe.each(RENDERERS)('compileAsync on %s', (name) => {
 it.each(RENDERERS)('compileAsync works long after the last frame, on %s', async (name) => {
   const harness = await createHarness(name)
   const renderer = harness.renderer as WebGLRenderer
-  // A renderer counts page frames, and forgets objects that it has not drawn for ten.
+  // A renderer counts the frames of the page, and drops objects that it has not drawn for ten frames.
   for (let frame = 0; frame < 15; frame++) await new Promise(requestAnimationFrame)
   const face = (z: number) => {
     const mesh = square(new MeshPhysicalMaterial())

@@ -18,7 +18,7 @@ import { readLevel } from './read-level.ts'
 const SIZE = 64
 const LEVELS = [0, 1, 2, 3, 4, 5, 6]
 
-/** WebGL only: on WebGPU the GPU makes all levels but the first. */
+/** Tests only WebGL. On WebGPU the GPU makes all levels but the first. */
 describe('mipmap levels of the composed map on webgl', () => {
   const harness = harnessOn('webgl')
 
@@ -32,13 +32,13 @@ describe('mipmap levels of the composed map on webgl', () => {
   const layer = { name: 'all', kind: 'replace' as const, normal: randomNormals(random, SIZE) }
   const set = { layers: [layer], areas: [area('left', 0, 32), area('right', 32, 64), area('some', 5, 23)] }
 
-  /** Returns the bytes of all levels of a texture, without alpha, which holds no part of the normal. */
+  /** Returns the RGB bytes of all levels of a texture. Alpha is not part of the normal. */
   const levelsOf = async (texture: Texture) => {
     const levels = await Promise.all(LEVELS.map((level) => readLevel(harness, texture, null, level)))
     return levels.map((rgba) => [...rgba.filter((_, i) => i % 4 < 3)])
   }
 
-  /** Creates a face whose base and layer have the same size, and a function that draws it. */
+  /** Creates a face whose normal map has the size of the layer. `levels` draws it and returns the levels of the composed map. */
   const createFace = (minFilter: Texture['minFilter'] = LinearMipmapLinearFilter) => {
     const normalMap = new DataTexture(base.data, SIZE, SIZE)
     normalMap.generateMipmaps = true
@@ -58,7 +58,7 @@ describe('mipmap levels of the composed map on webgl', () => {
     return { normalMap, levels }
   }
 
-  it("equal the face's own at rest, and the layer's where the layer replaces everything", async () => {
+  it("equal those of the face's own map at rest, and those of the layer under full influence", async () => {
     const { normalMap, levels } = createFace()
     const atRest = await levels({})
     const own = await levelsOf(normalMap)
@@ -70,7 +70,7 @@ describe('mipmap levels of the composed map on webgl', () => {
     expect(all[6]).not.toEqual(own[6])
   })
 
-  it("are made by the GPU if the face's map has no mipmaps", async () => {
+  it("are made by the GPU if the face's own map has no mipmaps", async () => {
     const levels = await createFace(LinearFilter).levels({})
     for (const channel of [0, 1]) {
       expect(Math.abs(levels[6][channel] - meanOf(base.data, channel))).toBeLessThan(2)
@@ -85,7 +85,7 @@ describe('mipmap levels of the composed map on webgl', () => {
     await levels({ left: 0.8, right: 0, some: 1 })
     const differenceTo = (other: number[][]) => largestDifference(other.flat(), fresh.flat())
     expect(differenceTo(await levels({ some: 0.6 }))).toBeGreaterThan(20)
-    // Influence is interpolated between the corners of each drawn rectangle, with rounding.
+    // The rectangles drawn differ, and interpolation between their corners rounds differently.
     expect(differenceTo(await levels({ left: 0.3 }))).toBeLessThanOrEqual(1)
   })
 })

@@ -16,10 +16,10 @@ import { largestDifference } from './difference.ts'
 import { harnessOn, RENDERERS, square, squareCamera } from './harness.ts'
 import { mixingCase } from './mixing.ts'
 
-/** Side of the maps (texels) and of the pictures (pixels); areas are smaller. */
+/** Width of the maps (texels) and of the pictures (pixels). Areas are smaller. */
 const MAP = 64
 
-/** Rounding to bytes: half a step per component, without renormalisation. */
+/** Tolerance for the composed normals, which are rounded to bytes and not normalised afterwards. */
 const TOLERANCE = 3 / 255
 
 const KINDS: LayerKind[][] = [
@@ -107,7 +107,7 @@ describe.each(RENDERERS)('the composed mode on %s', (name) => {
     expect(renders).toBe(3)
     mixing.wrinkles.setActivation(mixing.wrinkles.areaNames[0], 0.6)
     await mixing.largestError(squareCamera(), MAP)
-    // Influence map and normal map are drawn once for all three pictures.
+    // Three pictures, and two renders each of the influence map and the composed map.
     expect(renders).toBe(3 + 3 + 2)
     Object.assign(harness.renderer, { render })
     mixing.dispose()

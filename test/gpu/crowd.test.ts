@@ -63,7 +63,7 @@ describe.each(RENDERERS)('a crowd on %s', (name) => {
   }
   const draw = (scene: Scene, camera: OrthographicCamera = squareCamera()) =>
     harness.renderBytes(scene, camera, PIXELS)
-  /** Renders each face alone. */
+  /** Renders each face alone, and returns its quarter of the picture. */
   const alone = () =>
     Promise.all(
       CENTRES.map(async (centre, i) => {
@@ -113,7 +113,7 @@ describe.each(RENDERERS)('a crowd on %s', (name) => {
     wrinkles.dispose()
   })
 
-  it('draws many influence maps as before after frames in which few changed', async () => {
+  it('draws many influence maps correctly after frames in which only few changed', async () => {
     const side = 8
     const crowdOf = () => {
       const mesh = new InstancedMesh(
@@ -135,7 +135,7 @@ describe.each(RENDERERS)('a crowd on %s', (name) => {
     const few = await show(gradual, 2)
     const all = await show(gradual, side ** 2)
     await show(gradual, 2, 0.5)
-    // Fewer rectangles than the buffer holds: the other maps must stay.
+    // Two of the maps are redrawn. The others must not change.
     expect(await show(gradual, 2)).toEqual(all)
     expect(few).not.toEqual(all)
     expect(await show(flat, side ** 2)).toEqual(all)
@@ -146,7 +146,7 @@ describe.each(RENDERERS)('a crowd on %s', (name) => {
     const expected = await alone()
     const batch = new BatchedMesh(6, 4, 6, new MeshStandardMaterial({ roughness: 0.5 }))
     const quad = batch.addGeometry(face([0, 0]).geometry)
-    // Two invisible instances shift the order of the visible ones.
+    // Hides two instances, which changes the drawing indices of the visible ones.
     const ids = Array.from({ length: 6 }, () => batch.addInstance(quad))
     batch.setVisibleAt(ids[0], false)
     batch.setVisibleAt(ids[3], false)
@@ -230,12 +230,33 @@ describe.each(RENDERERS)('a crowd on %s', (name) => {
       wrinkles.dispose()
       return totalDifference(plain, picture)
     }
-    // The square's bounding sphere is as wide as its diagonal: 22.6 of 32 pixels.
+    // Size on screen is the diameter of the bounding sphere: the diagonal of the square, 22.6 of 32 pixels.
     const [full, half, none] = [await changeAt(20), await changeAt((22.6 * 4) / 3), await changeAt(46)]
     expect(full).toBe(await changeAt(0))
     expect(none).toBe(0)
     expect(half).toBeGreaterThan(0.2 * full)
     expect(half).toBeLessThan(0.8 * full)
+  })
+
+  it('draws instances that have blendshapes but no weights, and warns once', async () => {
+    const expected = await alone()
+    const { geometry } = face([0, 0])
+    const target = new BufferAttribute(new Float32Array(12), 3)
+    geometry.morphAttributes = { position: [target], normal: [target] }
+    geometry.morphTargetsRelative = true
+    const instances = new InstancedMesh(geometry, new MeshStandardMaterial({ roughness: 0.5 }), 4)
+    for (const [i, [x, y]] of CENTRES.entries()) {
+      instances.setMatrixAt(i, new Matrix4().makeScale(0.5, 0.5, 1).setPosition(x, y, 0))
+    }
+    const wrinkles = addWrinkles(instances)
+    for (const [i, values] of ACTIVATIONS.entries()) activate(wrinkles, values, i)
+    const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
+    const scene = sceneOf(instances)
+    await draw(scene)
+    const picture = await draw(scene)
+    for (const i of CENTRES.keys()) expect(quarter(picture, i), `instance ${i}`).toEqual(expected[i])
+    expect(warn.mock.calls).toEqual([[expect.stringContaining('has blendshapes and no weights')]])
+    wrinkles.dispose()
   })
 
   it('drives each instance by its own blendshapes', async () => {

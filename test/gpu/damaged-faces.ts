@@ -22,20 +22,20 @@ const SIDE = 32
 const NAME = 'FURROW_wrinkle_maps'
 const LAYERS = ['age', 'expression']
 
-/** File that may contain damaged wrinkles, with the result of `furrow validate`. */
+/** File that may contain damaged wrinkles, and the result of `furrow validate`. */
 export interface DamagedFace {
   name: string
   /** Bytes of the `.glb`, base64. */
   file: string
   /** First error; null if the file is valid. */
   problem: string | null
-  /** True if decoders may disagree: AV1 has no checksums, and browsers decode damaged data that libraries refuse. */
+  /** True for AVIF images. AV1 has no checksums, so browsers may decode damaged data that libraries refuse. */
   isUnsure: boolean
 }
 
 type Encode = (image: Sharp) => Sharp
 
-/** Encoders of the same pixels in the formats that users store. */
+/** MIME type and encoder of each image format that users store. */
 const FORMATS: Record<string, [mimeType: string, encode: Encode]> = {
   png: ['image/png', (image) => image.png()],
   'png with palette': ['image/png', (image) => image.png({ palette: true })],
@@ -48,7 +48,7 @@ const FORMATS: Record<string, [mimeType: string, encode: Encode]> = {
   avif: ['image/avif', (image) => image.avif({ lossless: true })],
 }
 
-/** Makes undamaged files of all formats. */
+/** Makes one undamaged file per image format. The keys are names of formats. */
 export async function intactFaces(): Promise<Map<string, Uint8Array>> {
   const faces = new Map<string, Uint8Array>()
   for (const [name, [mimeType, encode]] of Object.entries(FORMATS)) {
@@ -69,7 +69,7 @@ export async function intactFaces(): Promise<Map<string, Uint8Array>> {
   return faces
 }
 
-/** Makes files of all formats: first intact, then with one image damaged. */
+/** Returns the undamaged files of all formats, followed by variants with one damaged image. */
 export async function damagedFaces(): Promise<DamagedFace[]> {
   const intact = [...(await intactFaces())]
   const faces = await Promise.all(intact.map(([name, bytes]) => validated(name, bytes)))
@@ -152,14 +152,14 @@ async function array(compression: Compression, seeds: number[], mipmaps: boolean
 async function plainKtx2(compression: Compression, seed: number): Promise<FileImage> {
   const image = await array(compression, [seed], true)
   const bytes = Buffer.from(image.bytes)
-  // layerCount 0 turns an array of one slice into an image.
+  // A `layerCount` of 0 makes this a single image instead of an array with one slice.
   bytes.writeUInt32LE(0, 32)
   return { ...image, bytes }
 }
 
 const slices = (image: FileImage) => [0, 1].map((slice) => ({ ...image, slice }))
 
-/** Makes a face with two layers, and an area in each channel of the area images. */
+/** Makes a face with a layer per normal map, and an area per channel of the area images. */
 async function face(normals: FileImage[], areas: FileImage[]): Promise<Uint8Array> {
   const glb: Glb = decodeGlb(Buffer.from(await wrinkledFile()), 'face.glb', 'test')
   const material = glb.json.materials![0]!
@@ -181,7 +181,7 @@ async function face(normals: FileImage[], areas: FileImage[]): Promise<Uint8Arra
   return encodeGlb(glb)
 }
 
-/** Adds the extension that glTF requires for an image format to each texture. */
+/** Adds to each texture the extension that glTF requires for its image format, such as `EXT_texture_webp`. */
 function nameFormats({ json }: Glb): void {
   for (const texture of json.textures!) {
     const extension = FORMAT_EXTENSIONS[json.images![texture.source ?? 0]!.mimeType!]

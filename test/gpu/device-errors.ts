@@ -1,7 +1,7 @@
 import type { WebGPURenderer } from 'three/webgpu'
 import type { Harness } from './harness.ts'
 
-/** Collects uncaptured errors of the renderer's device from this call on. */
+/** Collects the uncaptured errors of the WebGPU device from this call on. Returns a growing list of their messages. */
 export function deviceErrors({ renderer }: Harness): string[] {
   const { device } = (renderer as WebGPURenderer).backend as unknown as { device: EventTarget }
   const errors: string[] = []

@@ -3,24 +3,22 @@ import { randomSet } from '../cases.ts'
 import { seeded } from '../random.ts'
 import { influenceAt } from './influence-at.ts'
 
-/** Side of an area, texels. */
+/** Width and height of an area, texels. */
 export const AREA = 8
 const LAST = AREA - 1
 
-/** Coordinates at both edges of UV space, and half a texel inside. */
+/** Texture coordinates to test, in u and in v: both edges of UV space, and half a texel inside each edge. */
 const POINTS = [0, 0.5 / AREA, 1 - 0.5 / AREA, 1]
 
-/**
- * Number of faces along a side of the picture, and of squares along a side of a face. Each square has the texture coordinates of one point.
- */
+/** Faces per row of the picture, and squares per row of a face. A face is a grid of squares. Each square shows one point of the texture. */
 const SIDE = POINTS.length
 
-/** One pixel per square of each face. */
+/** Width and height of the picture: one pixel per square of each face. */
 export const PIXELS = SIDE * SIDE
 
 export const FACES = Array.from({ length: SIDE ** 2 }, (_, face) => face)
 
-/** Creates a set of two areas: one with weight 1 along all edges, one with random weights. */
+/** Creates a wrinkle set with two areas of random weights. The first area has weight 1 in all border texels. */
 export function edgeSet(): WrinkleSet {
   const { layers, areas } = randomSet(seeded(7), 2, AREA)
   const isEdge = (i: number) => [i % AREA, Math.floor(i / AREA)].some((at) => at === 0 || at === LAST)
@@ -31,12 +29,12 @@ export function edgeSet(): WrinkleSet {
   return { layers, areas: areas.map((area, i): Area => ({ ...area, ...(i === 0 && { weights }) })) }
 }
 
-/** Returns the activations of the two areas. Neighbouring faces show different areas. */
+/** Returns the activations of the two areas on a face. Neighbouring faces show different areas. */
 export function activationsOf(face: number): [number, number] {
   return (face + Math.floor(face / SIDE)) % 2 ? [0, 0.5] : [1, 0]
 }
 
-/** Returns the centre of a face in a picture of -1..1, row by row from the bottom. Each face is a -1..1 square scaled by `SCALE`. */
+/** Returns the centre of a face in clip space. Faces fill the picture row by row from the bottom, each 2 * `SCALE` wide. */
 export function centreOf(face: number): [number, number] {
   return [middle(face % SIDE), middle(Math.floor(face / SIDE))]
 }
@@ -45,7 +43,7 @@ export const SCALE = 1 / SIDE
 
 const middle = (i: number) => (2 * i + 1) / SIDE - 1
 
-/** Returns a face's squares: corners in -1..1, texture coordinates, and triangles facing +z. */
+/** Returns the geometry of a face in -1..1: the corners of its squares, their texture coordinates, and triangles that face +z. */
 export function edgeSquares(): { positions: number[]; uvs: number[]; triangles: number[] } {
   const positions: number[] = []
   const uvs: number[] = []
@@ -71,9 +69,9 @@ const CORNERS = [
 ] as const
 
 /**
- * Returns the largest difference between the influence at all points of all faces and the float64 reference.
+ * Compares the influence at all points of all faces with the float64 reference. Returns the largest difference.
  *
- * @param shown influence at a pixel index counted from the bottom.
+ * @param shown returns the drawn influence at a pixel index. Indices start at the bottom row.
  */
 export function edgeError({ areas }: WrinkleSet, shown: (pixel: number) => number): number {
   let largest = 0

@@ -13,10 +13,10 @@ import { type WrinkleJson, wrinkledFile } from './wrinkled-file.ts'
 /** Files by path, base64. */
 export type EncodedFiles = Record<string, string>
 
-/** Face, and the result of `furrow pack` with the project. */
+/** Face, and the result of packing the project into this face with `furrow pack`. */
 export interface ExportCase {
   name: string
-  /** The face's file and the files next to it. */
+  /** Path of the face among `files`. */
   face: string
   files: EncodedFiles
   options: { ktx2?: boolean; size?: number }
@@ -44,7 +44,7 @@ export interface ExportCases {
 const SIDE = 32
 
 /**
- * Packs one project into faces of all kinds, as images and as arrays.
+ * Packs one project into faces in several formats, with maps as images and as KTX 2 arrays.
  *
  * @param root an empty folder.
  */
@@ -80,7 +80,7 @@ export async function exportCases(root: string): Promise<ExportCases> {
   return { project: encoded(project), cases, invalid: await Promise.all(ERRORS.map(invalidFace)) }
 }
 
-// biome-ignore lint/suspicious/noExplicitAny: the whole JSON of the file, as a careless program would edit it
+// biome-ignore lint/suspicious/noExplicitAny: tests edit the JSON of the file in ways that no type allows
 const ERRORS: [name: string, spoil: (wrinkles: WrinkleJson) => unknown, edit: (json: any) => unknown][] = [
   ['an area on a missing layer', ({ areas }) => Object.assign(areas[1], { layer: 3 }), () => {}],
   ['a scene without a face', () => {}, ({ scenes }) => scenes[0].nodes.pop()],
@@ -107,7 +107,7 @@ async function findingsOf(glb: Glb): Promise<Finding[]> {
   return [...(await checkWrinkles(glb)), ...(await runKhronosValidator(glb))]
 }
 
-/** Maps and areas as users save them: gray, indexed, 16-bit, with a colour profile; and one unrelated file. */
+/** Makes maps and areas in formats that users save: gray, indexed, 16-bit, with a colour profile. Adds one unrelated file. */
 async function projectFiles(): Promise<Record<string, Uint8Array>> {
   const colours = (seed: number) => sharp(noise(seed, 3), { raw: raw(3) })
   const gray = (seed: number) => sharp(noise(seed, 1), { raw: raw(1) }).toColourspace('b-w')
@@ -136,7 +136,7 @@ async function projectFiles(): Promise<Record<string, Uint8Array>> {
   }
 }
 
-/** Returns a `.gltf` with separate buffer and images. */
+/** Converts a `.glb` to a `.gltf` with separate buffer and images. */
 async function gltfFiles(glb: Uint8Array): Promise<Record<string, Uint8Array>> {
   const files = await faceFiles(decodeGlb(glb, 'face.glb', 'test'), 'parts.gltf', 'test')
   return Object.fromEntries(files.map(({ path, bytes }) => [path, bytes]))

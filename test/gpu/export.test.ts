@@ -13,7 +13,7 @@ import type { EncodedFiles, ExportCase, ExportCases, InvalidFace } from './expor
 const IS_WEBKIT = /^(?!.*Chrome).*AppleWebKit/.test(navigator.userAgent)
 
 let project: Map<string, Uint8Array>
-/** Document of the project, without strokes. */
+/** Studio document of the project, which has no strokes. */
 let source: DocumentToPack
 let cases: ExportCase[]
 let invalid: InvalidFace[]
@@ -35,7 +35,9 @@ describe("the studio's export", () => {
       const exported = await exportDocument(faceOf(face, files), source, options)
       expect(same(exported.bytes, bytesOf(packed)), name).toBe(true)
       expect(exported.findings, name).toEqual(findings)
-      expect(exported.warnings.join(), name).toMatch(/target "missing".* does not exist; it is kept/)
+      expect(exported.warnings.join(), name).toMatch(
+        /target "missing".* does not exist; the reference to it is kept/,
+      )
       expect(exported.cost.file, name).toBeLessThan(exported.bytes.length)
       expect(exported.cost.gpu, name).toBeGreaterThan(16 * 16)
     }
@@ -105,7 +107,7 @@ describe("the studio's validation", () => {
     for (const { name, file, problem, isUnsure } of faces) {
       const findings = await checkWrinkles(decodeGlb(bytesOf(file), 'face.glb', 'test'))
       const error = findings.find(({ severity }) => severity === 'error')
-      // WebKit shows damaged lossy images and WebP as far as they decode.
+      // WebKit decodes damaged JPEG and WebP images in part, without an error.
       const isShown = IS_WEBKIT && /webp|jpeg/.test(name) && !error
       if (Boolean(error) !== (problem !== null) && !isUnsure && !isShown)
         differing.push(`${name}: ${problem}; here: ${error?.message}`)
@@ -116,7 +118,7 @@ describe("the studio's validation", () => {
   it('reports the findings of furrow validate in the same words', async () => {
     for (const { name, file, findings } of invalid) {
       const found = await validate({ name: 'face.glb', bytes: bytesOf(file) })
-      // Messages of errors thrown inside the validator depend on the JavaScript engine.
+      // The texts of errors thrown inside the Khronos validator depend on the JavaScript engine.
       const own = ({ code, message, ...rest }: Finding) => ({
         code,
         ...rest,
@@ -127,7 +129,7 @@ describe("the studio's validation", () => {
     }
   })
 
-  it('accepts faces without wrinkles, and says why other files are no faces', async () => {
+  it('accepts faces without wrinkles, and says why it refuses other files', async () => {
     const [{ packed }] = cases
     const { face } = await readFace({ name: 'face.glb', bytes: bytesOf(packed) })
     const findings = await validate({ name: 'face.glb', bytes: face })

@@ -24,7 +24,7 @@ import type { Harness } from './harness.ts'
 export const WIDTH = 240
 export const HEIGHT = 320
 
-/** Loads the shipped face and its wrinkles without drivers, which would add to the activations that tests set. */
+/** Loads the shipped face and its wrinkle set. Removes the drivers, because they would change the activations that tests set. */
 export async function loadUndriven(): Promise<{ face: Face; set: WrinkleSet }> {
   const face = await loadFace('/faces/human.glb')
   const { drivers: _, ...set } = await loadWrinkleSet('/faces/human/wrinkles.json')
@@ -43,7 +43,7 @@ export function faceScene({ root, skin }: Pick<Face, 'root' | 'skin'>, view: Vie
   return { scene, camera }
 }
 
-/** Renders the face with another material on the skin. */
+/** Renders the face with a given material on the skin. */
 export async function renderWith(
   harness: Harness,
   face: Face,
@@ -57,7 +57,7 @@ export async function renderWith(
   return pixels
 }
 
-/** Creates a material that writes u, v and 1, to read the texture coordinates of each visible pixel. */
+/** Creates a material that writes (u, v, 1) as colour, so that tests can read the texture coordinates of each pixel. */
 export function uvMaterial(harness: Harness): Material {
   if (harness.name !== 'webgl') {
     const material = new MeshBasicNodeMaterial()
@@ -75,7 +75,7 @@ export function uvMaterial(harness: Harness): Material {
   return material
 }
 
-/** Copies the skin's material, with the wrinkles combined with its normal map. */
+/** Copies the skin's material. The copy's normal map includes the wrinkles. */
 export function wrinkledMaterial(plain: MeshStandardMaterial, set: WrinkleSet): MeshStandardMaterial {
   const combined = combineNormals(readTexture(plain.normalMap!, 'test'), set.layers[0].normal)
   const material = plain.clone()
@@ -83,7 +83,7 @@ export function wrinkledMaterial(plain: MeshStandardMaterial, set: WrinkleSet): 
   return material
 }
 
-/** Creates a texture with the filters of the layers' maps. */
+/** Creates a texture with the same filters as the maps of layers. */
 export function mapOf({ data, width, height }: RgbaImage, anisotropy = 1): DataTexture {
   const map = new DataTexture(data, width, height)
   map.minFilter = LinearMipmapLinearFilter
@@ -94,7 +94,7 @@ export function mapOf({ data, width, height }: RgbaImage, anisotropy = 1): DataT
   return map
 }
 
-/** Computes the reference's influence at every pixel of a picture drawn with `uvMaterial`; NaN where no skin is visible. */
+/** Computes the influence in float64 at every pixel of a picture drawn with `uvMaterial`; NaN where no skin is visible. */
 export function referenceInfluence(
   uvs: Float32Array,
   set: WrinkleSet,

@@ -33,18 +33,18 @@ function sceneOf(mesh: Mesh): Scene {
   return new Scene().add(mesh, light, new AmbientLight(0xffffff, 0.2))
 }
 
-/** Draws a few frames, so that late renderer errors take effect, and returns the last. */
+/** Draws four frames and returns the last, because errors of a renderer take effect some frames later. */
 async function picture(harness: Harness, mesh: Mesh): Promise<string> {
   const scene = sceneOf(mesh)
   for (let i = 0; i < 3; i++) await harness.renderBytes(scene, squareCamera(), 16)
   return (await harness.renderBytes(scene, squareCamera(), 16)).join()
 }
 
-/** Returns Furrow's warnings, without those of three.js. */
+/** Returns the warnings of Furrow, without those of three.js. */
 const warnings = () =>
   written.warn.mock.calls.map(([text]) => String(text)).filter((text) => /^Wrinkles/.test(text))
 
-/** Expects the plain face and one warning that gives the reason. */
+/** Adds wrinkles, and expects that the picture does not change and that one warning gives the reason. */
 async function expectPlain(harness: Harness, mesh: Mesh, why: RegExp) {
   const plain = await picture(harness, mesh)
   const wrinkles = new harness.Wrinkles(mesh, set(), { areaSize: 8 })
@@ -56,7 +56,7 @@ async function expectPlain(harness: Harness, mesh: Mesh, why: RegExp) {
   wrinkles.dispose()
 }
 
-/** Expects wrinkles in a mode, and the plain face after they are removed. */
+/** Adds wrinkles, and expects that they show in the given mode, and that `dispose` restores the picture without wrinkles. */
 async function expectWrinkles(harness: Harness, mesh: Mesh, mode: 'default' | 'composed') {
   const plain = await picture(harness, mesh)
   const wrinkles = new harness.Wrinkles(mesh, set(), { areaSize: 8 })
@@ -152,7 +152,7 @@ describe.each(RENDERERS)('materials on %s', (name) => {
 describe('shaders on webgl', () => {
   const harness = harnessOn('webgl')
 
-  it("keep the user's own edits, and are patched around them", async () => {
+  it("keep the user's edits when they are patched", async () => {
     const material = new MeshStandardMaterial()
     material.onBeforeCompile = (shader) => {
       shader.fragmentShader = shader.fragmentShader.replace(
@@ -177,7 +177,7 @@ describe('shaders on webgl', () => {
     expect(material.normalMap).toBe(own)
   })
 
-  it('show the composed map at once if a ShaderMaterial reads its normal map in its own way', async () => {
+  it('use the composed mode at once for a ShaderMaterial with a normal map', async () => {
     const mesh = square(new OwnShader('texture2D( normalMap, vUv ).xyz'))
     await expectWrinkles(harness, mesh, 'composed')
     const wrinkles = new harness.Wrinkles(mesh, set())
@@ -191,7 +191,7 @@ describe('shaders on webgl', () => {
     wrinkles.dispose()
   })
 
-  it('stay plain if they have no normal map', () => {
+  it('are refused if a ShaderMaterial reads no normal map', () => {
     const mesh = square(new OwnShader('vec3( vUv, 0.5 )'))
     expect(() => new harness.Wrinkles(mesh, set())).toThrow(
       /material ShaderMaterial does not support normal maps/,
@@ -220,7 +220,7 @@ describe('shaders on webgl', () => {
     },
   )
 
-  it('of instances stay plain, with one warning, if they cannot be patched', async () => {
+  it('of instances get no wrinkles, and one warning, if they cannot be patched', async () => {
     const { InstancedMesh, Matrix4 } = await import('three')
     const material = new MeshStandardMaterial()
     material.onBeforeCompile = (shader) => {
@@ -235,7 +235,7 @@ describe('shaders on webgl', () => {
 describe.each(available(['webgpu', 'webgpu on webgl2'] as const))('nodes on %s', (name) => {
   const harness = harnessOn(name)
 
-  /** Nodes that fail only in a material with patched normals. */
+  /** Creates a material with a node that fails only after Furrow has patched the material's normals. */
   const failing = (fail: () => Node<'vec3'>) => {
     const material = new MeshStandardNodeMaterial()
     material.emissiveNode = Fn((_: [], builder: NodeBuilder) => {
@@ -280,7 +280,7 @@ class Unbuildable extends Node {
   }
 }
 
-/** Material of another library: unlit, with its normal map shown as colour. */
+/** Unlit ShaderMaterial like those of other libraries. The GLSL expression `colour` may read the normal map. */
 class OwnShader extends ShaderMaterial {
   constructor(colour: string) {
     super({

@@ -22,11 +22,11 @@ import { seeded } from '../random.ts'
 import { type Harness, harnessOn, RENDERERS, square, squareCamera } from './harness.ts'
 
 interface Feature {
-  /** Sets the feature up for the square. Returns the mesh to add wrinkles to. */
+  /** Applies the feature to a square. Returns the mesh to which the test adds wrinkles. */
   apply(mesh: Mesh, scene: Scene, harness: Harness): Mesh
 }
 
-/** Features of three.js that users' characters rely on besides the material. */
+/** Features of three.js, besides the material, that characters use and that must work with wrinkles. */
 const FEATURES: Record<string, Feature> = {
   'morph targets': {
     apply(mesh) {

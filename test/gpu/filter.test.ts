@@ -13,7 +13,7 @@ const MAP = 256
 describe.each(RENDERERS)("filtering of the layers' maps on %s", (name) => {
   const harness = harnessOn(name)
 
-  // Texels per pixel in x and y: 8 and 8, 5 and 5, 8 and 1 as at a grazing angle, and magnified.
+  // The cases have 8, 5, or less than 1 texel per pixel. [1, 0.1] gives 8 texels in x and 1 in y, as at a grazing angle.
   it.each([
     [1, [1, 1]],
     [1, [0.6, 0.6]],

@@ -18,17 +18,16 @@ import { WebGPURenderer } from 'three/webgpu'
 import { afterAll, beforeAll, inject } from 'vitest'
 import { available } from './available.ts'
 
-/** All rendering paths. */
 const PATHS = ['webgl', 'webgpu', 'webgpu on webgl2'] as const
 export type RendererName = (typeof PATHS)[number]
 
-/** Tested renderers. The quick run leaves out `WebGPURenderer` on WebGL 2, which runs the same nodes. */
+/** Rendering paths to test. A quick run skips `WebGPURenderer` on WebGL 2, because it uses the same nodes as on WebGPU. */
 export const RENDERERS: readonly RendererName[] = available(inject('inDepth') ? PATHS : ['webgl', 'webgpu'])
 
-/** Number of random cases compared with the reference. */
+/** Returns the number of random cases to compare with the reference: `all`, or a quarter of it in a quick run. */
 export const casesIn = (all: number) => (inject('inDepth') ? all : Math.ceil(all / 4))
 
-/** Number of random cases by path: fewer for `WebGPURenderer` on WebGL 2, which runs the same nodes. */
+/** Returns the number of random cases on a rendering path. `WebGPURenderer` on WebGL 2 has fewer, because it uses the same nodes as on WebGPU. */
 export const casesOn = (name: RendererName) => casesIn(name === 'webgpu on webgl2' ? 50 : 200)
 
 export interface Harness {
@@ -47,7 +46,7 @@ export interface Harness {
   dispose(): void
 }
 
-/** Creates a renderer. Fails if it is not available, or if WebGPU falls back to WebGL 2. */
+/** Creates a renderer. Throws if it is not available, or if WebGPU falls back to WebGL 2. */
 export async function createHarness(name: RendererName): Promise<Harness> {
   const canvas = document.createElement('canvas')
   const renderer =
@@ -107,14 +106,14 @@ export function square(material: Material, scale = 1, offset = [0, 0]): Mesh {
   return new Mesh(geometry, material)
 }
 
-/** Creates a camera whose frame `square` fills. */
+/** Creates a camera. The mesh of `square` fills the picture. */
 export function squareCamera(): OrthographicCamera {
   const camera = new OrthographicCamera(-1, 1, 1, -1, 0, 10)
   camera.position.z = 5
   return camera
 }
 
-/** Returns the number of images drawn, including nested ones. */
+/** Returns the number of render calls so far, including nested calls. */
 export function imagesOf({ info }: WebGLRenderer | WebGPURenderer): number {
   return 'calls' in info ? info.calls : info.render.frame
 }
@@ -140,7 +139,7 @@ async function readBack(
   return onWebGPU ? flipRows(unpadded(pixels, width, height), width, height) : pixels
 }
 
-/** Removes row padding: r186 returns rows padded to 256 bytes, as WebGPU copies them. */
+/** Removes the padding of rows. On WebGPU, three.js r186 returns rows padded to 256 bytes. */
 function unpadded<T extends Float32Array | Uint8Array>(pixels: T, width: number, height: number): T {
   const row = width * 4
   if (pixels.length === row * height) return pixels
@@ -150,7 +149,7 @@ function unpadded<T extends Float32Array | Uint8Array>(pixels: T, width: number,
   return rows
 }
 
-/** Flips rows, because WebGPU reads from the top. */
+/** Reverses the order of rows, because WebGPU returns the top row first. */
 function flipRows<T extends Float32Array | Uint8Array>(pixels: T, width: number, height: number): T {
   const rows = pixels.slice() as T
   const stride = width * 4

@@ -1,9 +1,11 @@
-/** Writes PNG files that a canvas cannot: 16 bits, huge sizes. */
+/** Writes PNG files that a canvas cannot write: 16 bits per channel, and huge sizes. */
 
 import { crc32 } from '../crc32.ts'
 
 /**
- * @param raw scanlines without filter bytes, already filtered.
+ * Writes a PNG file.
+ *
+ * @param raw filtered rows, without the byte that names the filter.
  * @param filter filter type of all rows, 0 to 4.
  */
 export async function png(
@@ -36,7 +38,7 @@ export async function png(
   })
 }
 
-/** Uniform 8-bit gray image. */
+/** Returns an 8-bit gray PNG of one value. */
 export const grayPng = (width: number, height: number, value: number) =>
   png(width, height, 8, 0, new Uint8Array(width * height).fill(value))
 

@@ -2,11 +2,11 @@ import type { Area, GrayImage } from 'furrow'
 import { packAreas, reference } from 'furrow/internal'
 
 /**
- * Returns the reference's influence as a function of u, v and layer index.
+ * Returns a function of u, v and layer index that computes the influence in float64.
  *
- * @param activations of the areas.
+ * @param activations activations of the areas.
  * @param layers names of the layers; optional for one layer.
- * @param size side of influence maps, texels.
+ * @param size width of influence maps, texels.
  */
 export function influenceAt(
   areas: readonly Area[],

@@ -1,7 +1,7 @@
 import type { WrinkleSet } from 'furrow'
 import { influenceAt } from './influence-at.ts'
 
-/** Texture coordinates of the square, see `square`. */
+/** Transform of the texture coordinates of `square`. */
 export interface UvTransform {
   scale: number
   offset: readonly number[]
@@ -10,10 +10,10 @@ export interface UvTransform {
 /**
  * Returns the largest difference between the influence of a drawn square and the float64 reference.
  *
- * @param set with areas of `areaSize` x `areaSize` texels.
- * @param activations of the areas when the square was drawn.
- * @param shown influence at a pixel index.
- * @param side side of the picture, pixels.
+ * @param set wrinkle set whose areas have `areaSize` x `areaSize` texels.
+ * @param activations activations of the areas when the square was drawn.
+ * @param shown returns the drawn influence at a pixel index.
+ * @param side width of the picture, pixels.
  */
 export function influenceDifference(
   set: WrinkleSet,

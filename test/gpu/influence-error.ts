@@ -6,10 +6,10 @@ import { influenceDifference, type UvTransform } from './influence-difference.ts
 const PIXELS = 32
 
 /**
- * Returns the largest error of the wrinkles' influence on a square against the float64 reference.
+ * Draws a square with wrinkles, and returns the largest error of its influence against the float64 reference.
  *
- * @param set with areas of 32 x 32 texels.
- * @param activations of the areas when the square is drawn.
+ * @param set wrinkle set whose areas have 32 x 32 texels.
+ * @param activations activations of the areas.
  */
 export async function influenceError(
   harness: Harness,

@@ -36,7 +36,7 @@ describe.each(RENDERERS)('influence on %s', (name) => {
   it(`is within 1/255 of the reference in ${cases} random cases`, async () => {
     const random = seeded(2008)
     let worst = 0
-    // Dispose after the next draw, so that the renderer keeps the shared program.
+    // Disposes of a case only after the next one is drawn, so that the renderer keeps the program that all cases use.
     let release = () => {}
     for (let i = 0; i < cases; i++) {
       const count = 1 + Math.floor(random() * 64)
@@ -68,7 +68,7 @@ describe.each(RENDERERS)('influence on %s', (name) => {
       }
       return harness.render(scene, squareCamera(), PIXELS)
     }
-    // Draws the other area into all cells but one, which must then be cleared.
+    // First draws the other area on all faces but one. The second picture must keep nothing of it.
     await draw((face) => face && face + 1)
     const pixels = await draw((face) => face)
     expect(edgeError(set, (i) => pixels[i * 4])).toBeLessThanOrEqual(STEP)

@@ -68,7 +68,7 @@ describe.each(RENDERERS)('the inspector on %s', (name) => {
     const shaded = await picture()
     choose('View', 'influence')
     await picture()
-    // 0.5 in linear RGB.
+    // The influence is 0.5, without gamma encoding.
     for (const value of centre(await picture())) expect(Math.abs(value - 128)).toBeLessThanOrEqual(1)
     choose('View', 'normals')
     await picture()
@@ -101,7 +101,7 @@ describe.each(RENDERERS)('the inspector on %s', (name) => {
   })
 })
 
-/** A square that its blendshape makes half as wide. */
+/** Creates a square with a blendshape that makes it half as wide. */
 function squeezedSquare() {
   const geometry = new PlaneGeometry(2, 2)
   const { position } = geometry.attributes

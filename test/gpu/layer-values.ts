@@ -2,13 +2,13 @@ import type { GrayImage, Layer, RgbaImage } from 'furrow'
 import { packGrays, reference } from 'furrow/internal'
 import { randomImage } from '../cases.ts'
 
-/** Side of the maps, texels. */
+/** Width and height of the maps, texels. */
 export const MAP = 16
 
 export const KINDS = ['baseColor', 'roughness', 'occlusion', 'blood'] as const
 export type Kind = (typeof KINDS)[number]
 
-/** Kinds of maps per layer, some absent. */
+/** Sets of layers: for each layer, the kinds of maps that it has. */
 export const LAYERS: Kind[][][] = [
   [['baseColor']],
   [['roughness']],
@@ -42,7 +42,7 @@ export function randomLayer(random: () => number, name: string, kinds: readonly 
   }
 }
 
-/** Returns the value of a layer's map at a point: colours decoded, values scaled. */
+/** Returns the value of a layer's map at (u, v), with colours decoded to linear and the layer's strength applied. */
 export function layerValue(layer: Layer, kind: Kind, u: number, v: number): number[] {
   if (kind === 'baseColor') return colourAt(layer.baseColor!, u, v)
   const value = reference.sampleArray(packGrays([layer[kind]!]), u, v, 0)
@@ -50,7 +50,7 @@ export function layerValue(layer: Layer, kind: Kind, u: number, v: number): numb
   return [kind === 'occlusion' ? 1 + (value - 1) * layer.occlusionStrength! : value]
 }
 
-/** Decodes sRGB before interpolation, as GPUs do. */
+/** Returns the linear colour of an sRGB image at (u, v). Decodes before interpolation, as GPUs do. */
 export function colourAt(image: RgbaImage, u: number, v: number): number[] {
   return [0, 1, 2].map((c) =>
     reference.interpolate(image, u, v, (i, j) => linear(image.data[4 * (i + j * image.width) + c] / 255)),

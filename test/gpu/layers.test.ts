@@ -20,13 +20,13 @@ describe.each(RENDERERS)('the default mode on %s', (name) => {
 
   it.each(KINDS)('mixes %s %s %s %s layers as the reference does', async (...kinds) => {
     const random = seeded(7)
-    // Dispose after the next draw, so that the renderer keeps the shared program.
+    // Disposes of a case only after the next one is drawn, so that the renderer keeps the program that all cases use.
     let release = () => {}
     for (let i = 0; i < CASES; i++) {
       const mixing = mixingCase(harness, random, kinds.filter(Boolean), { scale: 0.8, offset: 0.1 })
       for (const name of mixing.wrinkles.areaNames) mixing.wrinkles.setActivation(name, random() * 0.5)
       expect(await mixing.largestError(squareCamera(), PIXELS)).toBeLessThanOrEqual(2 / 255)
-      // A single active area covers only part of the map.
+      // Activates one area at a time, which redraws only a part of the influence map.
       for (const name of mixing.wrinkles.areaNames) {
         mixing.wrinkles.setActivation(name, name === `area${2 * (i % 6)}` ? 1 : 0)
       }

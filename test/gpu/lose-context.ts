@@ -1,7 +1,7 @@
 import type { WebGLRenderer } from 'three'
 import type { Harness } from './harness.ts'
 
-/** Loses a WebGL context and waits until it is restored. */
+/** Makes a renderer lose its WebGL context, calls `whileLost`, and waits until the context is restored. */
 export async function loseContext({ renderer }: Harness, whileLost: () => void) {
   const canvas = renderer.domElement
   const loss = (renderer as WebGLRenderer).getContext().getExtension('WEBGL_lose_context')!

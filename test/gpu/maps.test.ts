@@ -31,7 +31,7 @@ describe.each(RENDERERS)("the layers' other maps on %s", (name) => {
       for (let i = 0; i < 3; i++) {
         const { shown, exact, plain } = await compare(harness, random, layers, hasMaps)
         expect(largestDifference(shown, exact)).toBeLessThanOrEqual(2 * STEP)
-        // The effect of the maps is several times the tolerance.
+        // The maps must change the picture by several times the tolerance.
         expect(largestDifference(plain, exact)).toBeGreaterThan(8 / 255)
       }
     })
@@ -124,7 +124,7 @@ describe.each(RENDERERS)('highlights of lights on %s', (name) => {
   })
 })
 
-/** Renders with wrinkles, at rest, and a plain material whose maps hold the reference's mixture at every pixel. */
+/** Renders wrinkles, wrinkles at rest, and a plain material whose maps contain the mixture computed in float64. */
 async function compare(harness: Harness, random: () => number, kinds: Kind[][], hasMaps: boolean) {
   const layers = kinds.map((ofLayer, i) => randomLayer(random, `layer${i}`, ofLayer))
   const areas = randomAreas(random, 12, MAP).map((area, i) => ({
@@ -164,7 +164,7 @@ async function compare(harness: Harness, random: () => number, kinds: Kind[][], 
   const colour = mixed('baseColor')
   exactMaterial.map = pictureOf((u, v) => reference.bloodColour(colour(u, v), blood(u, v)[0]))
   exactMaterial.roughnessMap = pictureOf(mixed('roughness'))
-  // The material's intensity applies only to its own map; a layer has its own strength.
+  // The material's `aoMapIntensity` applies only to its own map. A layer has a separate strength.
   if (!hasMaps) exactMaterial.aoMapIntensity = 1
   exactMaterial.aoMap = pictureOf(mixed('occlusion'))
   mesh.material = exactMaterial
@@ -192,7 +192,7 @@ function linearTexture(image: ReturnType<typeof randomImage>): DataTexture {
   return map
 }
 
-/** Creates a texture with a value per pixel of the picture. Single numbers fill all channels. */
+/** Creates a texture with one texel per pixel of the picture. A single number fills all channels. */
 function pictureOf(at: (u: number, v: number) => number[]): DataTexture {
   const data = new Float32Array(PIXELS * PIXELS * 4).fill(1)
   for (let i = 0; i < PIXELS * PIXELS; i++) {
@@ -201,7 +201,7 @@ function pictureOf(at: (u: number, v: number) => number[]): DataTexture {
     data.set(value.length === 1 ? [...value, ...value, ...value] : value, 4 * i)
   }
   const map = new DataTexture(data, PIXELS, PIXELS, undefined, FloatType)
-  // Maps the square's texture coordinates back to pixels.
+  // Undoes the transform of the square's texture coordinates, so that each texel covers one pixel.
   map.matrixAutoUpdate = false
   map.matrix.set(1 / 0.8, 0, -0.125, 0, -1 / 0.8, 1.125, 0, 0, 1)
   map.needsUpdate = true

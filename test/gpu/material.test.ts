@@ -104,20 +104,20 @@ describe.each(RENDERERS)("the user's material on %s", (name) => {
     expect(await show('area0')).toBe(pictures[0])
   })
 
-  it('logs one warning after the page replaced it, and can be moved to the replacement', async () => {
+  it('logs one warning after the page has replaced it, and the wrinkles can be moved to the new material', async () => {
     const { mesh, wrinkles } = wrinkled(new MeshStandardMaterial())
     wrinkles.setActivation('area1', 1)
     const shown = await picture(mesh)
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
     const [own, other] = [mesh.material, new MeshStandardMaterial({ name: 'next' })]
-    // A pass that swaps materials in every frame.
+    // An effect may use another material for one pass of every frame. This does not replace the material.
     for (let i = 0; i < 40; i++) {
       mesh.material = other
       await picture(mesh)
       mesh.material = own
       await picture(mesh)
     }
-    // A page that shows the influence.
+    // The influence material does not replace the material either.
     mesh.material = wrinkles.createInfluenceMaterial()
     for (let i = 0; i < 40; i++) await picture(mesh)
     expect(warn).not.toHaveBeenCalled()
@@ -143,7 +143,7 @@ describe.each(RENDERERS)("the user's material on %s", (name) => {
     const weak = await picture(mesh)
     material.normalScale.set(0, 0)
     expect(weak).not.toBe(full)
-    // Scaling follows mixing, so 0 is flat.
+    // normalScale applies after mixing, so 0 gives flat skin.
     expect(await picture(mesh)).toBe(flat)
   })
 

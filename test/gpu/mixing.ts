@@ -7,10 +7,10 @@ import { layer, randomAreas, randomNormals } from '../cases.ts'
 import { type Harness, square } from './harness.ts'
 import { influenceAt } from './influence-at.ts'
 
-/** Side of the areas, texels; default size of the maps. */
+/** Width of the areas, and by default of the maps, texels. */
 const AREA = 16
 
-/** Creates a square with random maps, layers of these kinds, and areas at rest, to compare with the reference. */
+/** Creates a square with layers of these kinds, random maps and areas at rest, to compare with the float64 reference. */
 export function mixingCase(
   harness: Harness,
   random: () => number,
@@ -54,8 +54,8 @@ export function mixingCase(
       areas = areas.filter((area) => area.name !== name)
     },
     /**
-     * Returns the largest difference from the reference over a picture that the square fills. Each component of the
-     * shaded normal is read from a picture with a light along that axis.
+     * Draws the square and returns the largest difference of its normals from the reference. Each component is read from
+     * a picture with a light along that axis.
      */
     async largestError(camera: Camera, pixels: number): Promise<number> {
       const activations = areas.map(({ name }) => wrinkles.getActivation(name))
@@ -92,7 +92,7 @@ export function mixingCase(
   }
 }
 
-/** Returns an area with weights in a small square only. */
+/** Returns an area whose weights are 0 outside a small square. */
 function cropped({ width, height, data }: GrayImage, from: number): GrayImage {
   const isInside = (x: number) => x >= from / 2 && x < from / 2 + 7
   const kept = data.map((weight, i) => (isInside(i % width) && isInside(Math.floor(i / width)) ? weight : 0))

@@ -69,7 +69,7 @@ describe.each(RENDERERS)('MToon on %s', (name) => {
     expect(warn.mock.calls.filter(([text]) => /^Wrinkles/.test(text))).toEqual([])
   })
 
-  it('keeps its outline, a second material of the mesh', async () => {
+  it('keeps its outline, which is a second material of the mesh', async () => {
     const mesh = square(mtoon()) as Mesh<Mesh['geometry'], Material | Material[]>
     const outline = mtoon({ isOutline: true })
     mesh.material = [mesh.material as Material, outline]
@@ -88,7 +88,7 @@ describe.each(RENDERERS)('MToon on %s', (name) => {
   })
 })
 
-/** Files whose face three-vrm draws with MToon. */
+/** Files with a face that three-vrm draws with MToon. */
 const FILES: Record<string, () => Promise<Uint8Array<ArrayBuffer>>> = {
   'a VRM 1.0 with an outline': () => vrmFile(true),
   'a VRM 1.0 without one': () => vrmFile(false),
@@ -142,7 +142,7 @@ describe.each(
   const { vrm, wrinkled, load } = loadersOf(harness, name, () => vrmFile(hasOutline))
   const picture = (root: Object3D) => pictureOf(harness, root)
 
-  it("wrinkles the same after three-vrm's own optimisations, and in first person", async () => {
+  it("wrinkles the same after three-vrm's optimisations, and in first person", async () => {
     const gltf = await load(vrm, wrinkled)
     move(gltf.scene, 1)
     const moved = await picture(gltf.scene)
@@ -181,7 +181,7 @@ describe.each(
   })
 })
 
-it('an MToon face with tangents stays plain with one warning, because its shader takes no normal map', async () => {
+it('an MToon face with tangents has no wrinkles and one warning, because its shader takes no normal map', async () => {
   const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
   vi.spyOn(console, 'error').mockImplementation(() => {})
   const harness = await createHarness('webgl')
@@ -204,7 +204,7 @@ function materialTypeFor(name: RendererName): typeof MToonMaterial {
 
 type Register = (loader: GLTFLoader) => GLTFLoader
 
-/** Registers three-vrm's plugin and ours, and loads a file with some of them. */
+/** Returns loaders for a file: with the plugins of three-vrm and Furrow, or with only one of them. */
 function loadersOf(harness: Harness, name: RendererName, file: () => Promise<Uint8Array<ArrayBuffer>>) {
   const vrm: Register = (loader) =>
     loader.register((parser) => {
@@ -224,9 +224,9 @@ function move(root: Object3D, weight: number): void {
   for (const { morphTargetInfluences } of faceMeshes(root)) morphTargetInfluences![0] = weight
 }
 
-/** Draws several frames, because the first reveals whether the shader compiles. */
+/** Draws several frames and returns the last. A shader that fails to compile shows only after the first frame. */
 async function pictureOf(harness: Harness, object: Object3D) {
-  // Light from the front, where MToon shows the same colour for any normal.
+  // In light from the front, MToon shows one colour for all normals. Wrinkles must show as lines.
   const light = new DirectionalLight(0xffffff, 2)
   light.position.set(0, 0.2, 1)
   const scene = new Scene().add(object, light, new AmbientLight(0xffffff, 0.2))

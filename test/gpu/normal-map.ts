@@ -2,7 +2,7 @@ import { DataTexture, LinearFilter, LinearMipmapLinearFilter, RepeatWrapping } f
 import { randomNormals } from '../cases.ts'
 import { seeded } from '../random.ts'
 
-/** Creates a square normal map with glTF's settings. */
+/** Creates a square map of random normals, with the texture settings of glTF. */
 export function normalMap(seed: number, side: number): DataTexture {
   const map = new DataTexture(randomNormals(seeded(seed), side).data, side, side)
   map.wrapS = map.wrapT = RepeatWrapping

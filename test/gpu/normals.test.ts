@@ -36,7 +36,7 @@ beforeAll(async () => {
 afterEach(() => expect(errors).toEqual([]))
 afterAll(() => harness.dispose())
 
-/** Creates a ball with two random blendshapes that move coincident vertices equally. */
+/** Creates a ball with two random blendshapes. Vertices at the same position move together. */
 function ball(geometry: BufferGeometry = new SphereGeometry(1, 24, 16)): Mesh {
   const { position } = geometry.attributes
   const random = seeded(5)
@@ -57,7 +57,7 @@ function ball(geometry: BufferGeometry = new SphereGeometry(1, 24, 16)): Mesh {
   return new Mesh(geometry)
 }
 
-/** Reads x, y and z of each vertex of an attribute, from the CPU or the GPU. */
+/** Reads an attribute from the CPU or the GPU: x, y and z per vertex. */
 async function read(mesh: Mesh, name: 'normal' | 'tangent'): Promise<Float32Array> {
   const attribute = mesh.geometry.attributes[name] as BufferAttribute
   const values =
@@ -80,7 +80,7 @@ function angles(a: Float32Array, b: Float32Array): Float64Array {
   }).sort()
 }
 
-/** Deforms two copies of a mesh, and compares the results of both classes. */
+/** Deforms two copies of a mesh, and compares the vectors that the GPU and the CPU compute. */
 async function compare(mesh: Mesh, weights: readonly number[], names: readonly ('normal' | 'tangent')[]) {
   const copy = new Mesh(mesh.geometry)
   const [computed, expected] = [new RecomputedNormals(mesh), new CpuNormals(copy)]
@@ -124,7 +124,7 @@ describe('RecomputedNormals on WebGPU', () => {
     expect(found.at(-1)).toBeLessThan(0.01)
   })
 
-  it('leaves rotation to the skeleton, and follows weights back to rest', async () => {
+  it('leaves rotation to the skeleton, and restores normals when the weights return to 0', async () => {
     const { geometry } = ball()
     const { count } = geometry.attributes.position
     geometry.setAttribute('skinIndex', new Float32BufferAttribute(new Float32Array(4 * count), 4))
@@ -180,7 +180,7 @@ describe('RecomputedNormals on WebGPU', () => {
     normals.dispose()
   })
 
-  // three.js r186 frees storage buffers only with the renderer.
+  // three.js r186 and older frees storage buffers only when the renderer is disposed of.
   it.skipIf(Number.parseInt(REVISION, 10) < 187)('frees its GPU buffers', () => {
     const { memory } = renderer.info as unknown as { memory: { storageAttributes: number } }
     const before = memory.storageAttributes
@@ -210,7 +210,7 @@ describe('RecomputedNormals on WebGPU', () => {
     const normals = new RecomputedNormals(skin)
     normals.update(renderer)
     expect(skin.geometry.morphAttributes.normal).toBeUndefined()
-    // Edge pixels may take the colour of either side, so one pixel in a thousand may differ.
+    // One pixel in a thousand may differ, because a pixel on an edge may take the colour of either triangle.
     const [found, changes] = [await draw(), largestDifference(uncorrected, expected)]
     expect(changes).toBeGreaterThan(40)
     expect(found.filter((value, i) => Math.abs(value - expected[i]) > 2).length).toBeLessThan(
@@ -222,7 +222,7 @@ describe('RecomputedNormals on WebGPU', () => {
   })
 })
 
-describe("RecomputedNormals on WebGPURenderer's WebGL 2", () => {
+describe('RecomputedNormals with WebGPURenderer on WebGL 2', () => {
   it('computes on the CPU', async () => {
     const fallback = await createHarness('webgpu on webgl2')
     const [mesh, copy] = [ball(), ball()]
@@ -236,7 +236,7 @@ describe("RecomputedNormals on WebGPURenderer's WebGL 2", () => {
   })
 })
 
-/** Converts the offsets of a mesh's targets to positions. */
+/** Makes the morph targets of a mesh absolute: converts their offsets to positions. */
 function absolute(mesh: Mesh): Mesh {
   const { geometry } = mesh
   const rest = geometry.attributes.position.array

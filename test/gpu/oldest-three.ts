@@ -2,14 +2,14 @@ import type { TestProjectInlineConfiguration } from 'vitest/config'
 
 declare module 'vitest' {
   export interface ProvidedContext {
-    /** Release of three.js that a project runs on; default newest. */
+    /** Release of three.js that a Vitest project uses; default `newest`. */
     threeRelease?: 'oldest' | 'newest'
   }
 }
 
 /**
- * Tests of features that break first on older three.js: array textures, blending, the paper's lighting, changed
- * geometries, batches, KTX2Loader, draw ranges, texture copies, compiling ahead.
+ * Tests of features that depend most on the release of three.js: array textures, blending, the paper's lighting, changed
+ * geometries, batches, KTX2Loader, draw ranges, texture copies, and compileAsync.
  */
 export const FILES_FOR_OLDEST = [
   'three-version',
@@ -25,7 +25,7 @@ export const FILES_FOR_OLDEST = [
   'relief/relief',
 ].map((name) => `test/gpu/${name}.test.ts`)
 
-/** Runs a project on `three-oldest`, the oldest three.js whose `WebGPURenderer` is supported. `WebGLRenderer` is supported from r160 on. */
+/** Returns a Vitest project that uses `three-oldest`, the oldest supported release for `WebGPURenderer`. `WebGLRenderer` needs only r160. */
 export function onOldestThree(project: TestProjectInlineConfiguration): TestProjectInlineConfiguration {
   const oldest = (name: string) => name.replace(/^three(?=\/|$)/, 'three-oldest')
   return {

@@ -15,13 +15,13 @@ export { BARE_FACES }
 
 const FACES = fileURLToPath(new URL('../../faces', import.meta.url))
 
-/** Transforms that users apply before publishing, and the file each starts from. */
+/** Files that users make with glTF-Transform: name, source, and transforms. */
 const TRANSFORMED: Record<string, [from: string, ...transforms: Transform[]]> = {
   transformed: ['shipped', ...compressing(true)],
   'transformed-lossy': ['shipped', ...compressing(false)],
   draco: ['images', draco()],
   quantized: ['images', quantize()],
-  // One image each, as written by tools without support for arrays.
+  // Compresses each image separately, like tools without support for arrays.
   ktx2: [
     'images',
     textureCompress({ encoder: sharp, targetFormat: 'png', resize: [512, 512] }),
@@ -34,18 +34,18 @@ const TRANSFORMED: Record<string, [from: string, ...transforms: Transform[]]> = 
 }
 
 /**
- * Packs files for tests in the browser, each once:
+ * Returns a function that makes the files for tests in the browser. It makes each file once:
  * - `shipped`: the shipped face
- * - `images`, `arrays`: the shipped face with maps of 512 x 512 in both forms
- * - `bare-N`: the faces of `BARE_FACES`; `drawn-N`: the same with drawn wrinkles
- * - names of `TRANSFORMED`: those files after glTF-Transform
+ * - `images`, `arrays`: the shipped face with maps of 512 x 512, as PNG images and as KTX 2 arrays
+ * - `bare-N`: the faces of `BARE_FACES`; `drawn-N`: these faces with drawn wrinkles
+ * - names in `TRANSFORMED`: files transformed by glTF-Transform
  *
  * @param folder an empty folder.
- * @returns function from a name to the path of its file.
+ * @returns function that takes a name and returns the path of the file.
  */
 export function facePacker(folder: string): (name: string) => Promise<string> {
   const packed = new Map<string, Promise<string>>()
-  // Commands keep the options of their last run, so only one runs at a time.
+  // A command keeps the options of its last run, so runs must not overlap.
   let last: Promise<unknown> = Promise.resolve()
   const run = (name: CommandName, ...words: string[]) => {
     last = last.catch(() => {}).then(async () => runAlone(await commandOf(name), words))
@@ -86,7 +86,7 @@ export function facePacker(folder: string): (name: string) => Promise<string> {
   return pathOf
 }
 
-/** Runs a command without the options of its last run. */
+/** Runs a command after resetting the options of its last run. */
 export function runAlone(command: Command, words: string[]): Promise<unknown> {
   for (const option of command.options) {
     command.setOptionValueWithSource(option.attributeName(), option.defaultValue, 'default')

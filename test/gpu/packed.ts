@@ -9,10 +9,10 @@ import type { Harness } from './harness.ts'
 
 const draco = new DRACOLoader().setDecoderPath('/node_modules/three/examples/jsm/libs/draco/gltf/')
 
-/** Weights of one expression. */
+/** Blendshape weights of the pose that pictures show. */
 const POSE = { browInnerUp: 1, browOuterUpLeft: 1, mouthSmileLeft: 1, mouthSmileRight: 1, cheekSquintLeft: 1 }
 
-/** Loads a face of `pack-faces.ts` with its wrinkles. */
+/** Loads a face made by `pack-faces.ts`, with its wrinkles. */
 export function loadPacked({ Plugin }: Harness, file: string, loader = new GLTFLoader()): Promise<GLTF> {
   return loader
     .setMeshoptDecoder(MeshoptDecoder)
@@ -21,7 +21,7 @@ export function loadPacked({ Plugin }: Harness, file: string, loader = new GLTFL
     .loadAsync(`/packed/${file}.glb`)
 }
 
-/** Renders the posed face with wrinkles, without, or with influence as gray. */
+/** Renders the face in `POSE`: with wrinkles, without wrinkles, or with its influence as gray. */
 export async function posedPicture(harness: Harness, gltf: GLTF, mode: 'default' | 'off' | 'influence') {
   const skin = skinOf(gltf)
   const wrinkles = wrinklesOf(skin)!
@@ -43,13 +43,13 @@ function skinOf(gltf: GLTF): Mesh {
   return meshes.find((mesh) => wrinklesOf(mesh))!
 }
 
-/** Returns the difference that wrinkles make in the picture of a face. */
+/** Returns the picture of a face with wrinkles minus the picture without them. */
 export async function wrinklesAlone(harness: Harness, gltf: GLTF): Promise<Float32Array> {
   const smooth = await posedPicture(harness, gltf, 'off')
   return (await posedPicture(harness, gltf, 'default')).map((value, i) => value - smooth[i])
 }
 
-/** Compares the `wrinklesAlone` of two faces: correlation and relative strength, both 1 if equal. */
+/** Compares two results of `wrinklesAlone`: correlation, and `ratio` of their strengths; both are 1 for equal faces. */
 export function compareWrinkles(a: Float32Array, b: Float32Array) {
   const [own, others] = [dot(a, a), dot(b, b)]
   return { strength: own, correlation: dot(a, b) / Math.sqrt(own * others), ratio: Math.sqrt(others / own) }

@@ -16,7 +16,7 @@ import {
 } from './face.ts'
 import { harnessOn, RENDERERS } from './harness.ts'
 
-/** The paper's figures: expression and view. */
+/** Expression and view of the figures in the paper. */
 const FIGURES = [
   { figure: '8', expression: 'surprised', view: 'front' },
   { figure: '9, left brow', expression: 'leftBrow', view: 'front' },
@@ -30,12 +30,12 @@ describe.each(RENDERERS)('figures on %s', (name) => {
   let set: WrinkleSet
   beforeAll(async () => {
     ;({ face, set } = await loadUndriven())
-    // Colours as stored, like the paper's: decoding before or after filtering changes fine hair.
+    // The paper's shader lights colours without sRGB decoding, so compare without decoding.
     const { map } = face.skin.material as MeshStandardMaterial
     map!.colorSpace = NoColorSpace
   })
 
-  it.each(FIGURES)("equal the reference's, in figure $figure", async ({ expression, view }) => {
+  it.each(FIGURES)('equal the float64 reference, in figure $figure', async ({ expression, view }) => {
     const stage = faceScene(face, view)
     const wrinkles = new harness.Wrinkles(face.skin, set, { mode: 'paper' })
     const player = new ExpressionPlayer(face.root, wrinkles)

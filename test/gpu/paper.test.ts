@@ -19,7 +19,7 @@ import { casesOn, type Harness, harnessOn, RENDERERS, square, squareCamera } fro
 const PIXELS = 32
 const MAP = 16
 
-/** Layer indices in the paper's array. */
+/** Slices of the paper's texture array: base colour, base normals, and normals of wrinkled skin. */
 const [DIFFUSE, SMOOTH, WRINKLED] = [0, 1, 2]
 
 describe.each(RENDERERS)("the paper's mode on %s", (name) => {
@@ -29,7 +29,7 @@ describe.each(RENDERERS)("the paper's mode on %s", (name) => {
   it(`has colours within 2/255 of the reference on 99.9% of the pixels of ${cases} random cases`, async () => {
     const random = seeded(42)
     const errors: number[] = []
-    // Dispose after the next draw, so that the renderer keeps the shared program.
+    // Disposes of each case after the next case is drawn. Otherwise, the renderer would free the program that all cases share.
     let release = () => {}
     for (let i = 0; i < cases; i++) {
       const result = await colourErrors(harness, random)
@@ -43,7 +43,7 @@ describe.each(RENDERERS)("the paper's mode on %s", (name) => {
     expect(over / errors.length).toBeLessThanOrEqual(0.001)
   })
 
-  it("packs the material's own normals, whatever mode came before", async () => {
+  it("uses the material's own normals after a switch from any other mode", async () => {
     for (const mode of ['composed', 'default', 'off'] as const) {
       const { errors, dispose } = await colourErrors(harness, seeded(7), mode)
       expect(errors.filter((error) => error > 2 / 255).length / errors.length, mode).toBeLessThanOrEqual(0.01)
@@ -52,13 +52,13 @@ describe.each(RENDERERS)("the paper's mode on %s", (name) => {
   })
 })
 
-/** Returns the largest error of each pixel of a square, lit by the paper's four steps on the GPU, after another mode, and on the CPU. */
+/** Draws a square in mode `first`, then in the paper's mode. Returns the largest error of each pixel against the float64 reference. */
 async function colourErrors(harness: Harness, random: () => number, first: WrinkleMode = 'paper') {
   const set = randomSet(random, 1 + Math.floor(random() * 64), MAP, MAP)
   const [diffuse, smooth] = [randomImage(random, MAP), randomNormals(random, MAP)]
   const [normalScale, sun, ambient] = [0.5 + random(), 0.5 + random() * 2, random()]
   const from = new Vector3(random() - 0.5, random() - 0.5, 0.3 + random()).normalize()
-  // Within one tile, because the GPU's mip level jumps between tiles.
+  // Texture coordinates stay within one tile, because the GPU picks another mip level where a texture repeats.
   const scale = 0.2 + random() * 0.5
   const offset = [random() * 0.3, random() * 0.3]
 
@@ -74,7 +74,7 @@ async function colourErrors(harness: Harness, random: () => number, first: Wrink
   scene.add(mesh, light, new AmbientLight(0xffffff, ambient))
   const wrinkles = new harness.Wrinkles(mesh, set, { mode: first, areaSize: MAP })
   wrinkles.mode = 'paper'
-  // Keeps sums mostly below 1, and below the largest area that combines by maximum.
+  // Limits activations, so that most sums are not clamped at 1.
   const strength = Math.min(1, 2 / set.areas.length)
   for (const { name, combine } of set.areas) {
     wrinkles.setActivation(name, random() * (combine === 'max' ? 1 : strength))
@@ -98,7 +98,7 @@ async function colourErrors(harness: Harness, random: () => number, first: Wrink
     const texel = (layer: number) => [0, 1, 2].map((c) => reference.sampleArray(colours, u, v, layer, c))
     const albedo = texel(DIFFUSE).map(toLinear)
     const lit = [SMOOTH, WRINKLED].map((layer) => {
-      // The square's tangent frame is the identity. v points down, so normalScale.y is negative.
+      // These normals are in the axes of the scene. In the material, v points down, and the negative scale negates y.
       const [x, y, z] = reference.unpackNormal(texel(layer))
       const normal = new Vector3(x * normalScale, y * normalScale, z).normalize()
       const irradiance = Math.max(0, normal.dot(from)) * sun + ambient
@@ -117,7 +117,7 @@ async function colourErrors(harness: Harness, random: () => number, first: Wrink
   return { errors, dispose }
 }
 
-/** Exact sRGB curve (IEC 61966-2-1). */
+/** Decodes sRGB to linear (IEC 61966-2-1). */
 function toLinear(value: number): number {
   return value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4
 }

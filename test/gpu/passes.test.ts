@@ -12,7 +12,7 @@ import { faceMeshes, wrinkledFile } from './wrinkled-file.ts'
 
 const SIDE = 32
 
-/** Creates a square with wrinkles, and a mesh in front that is drawn first and receives the square's shadow. */
+/** Creates a square with wrinkles that casts a shadow. A smaller mesh in front of it receives shadows and is drawn first. */
 function sceneOf(harness: Harness, mesh = square(new MeshStandardMaterial())) {
   const light = new DirectionalLight('white', 3)
   light.position.set(0.5, 0.5, 1)
@@ -37,7 +37,7 @@ function sceneOf(harness: Harness, mesh = square(new MeshStandardMaterial())) {
   }
 }
 
-/** Expects wrinkles in a picture, and the same wrinkles after other passes were drawn. */
+/** Expects that wrinkles change the picture, and that calling `update` before drawing makes no difference. */
 async function expectWrinkles(harness: Harness, shoot: (scene: Scene) => Promise<Uint8Array>) {
   const { scene, wrinkles, set } = sceneOf(harness)
   set(0.4)
@@ -52,7 +52,7 @@ async function expectWrinkles(harness: Harness, shoot: (scene: Scene) => Promise
   wrinkles.dispose()
 }
 
-it.each(RENDERERS)('wrinkles show on a face that is first drawn as a shadow, on %s', async (name) => {
+it.each(RENDERERS)('wrinkles show on a face that is drawn into a shadow map first, on %s', async (name) => {
   const harness = await createHarness(name)
   await expectWrinkles(harness, async (scene) =>
     (await harness.renderBytes(scene, squareCamera(), SIDE)).slice(),
@@ -83,17 +83,17 @@ it.each(RENDERERS.slice(1))(
   },
 )
 
-/** Expects newly activated wrinkles in the very next picture. */
+/** Expects that activated wrinkles show in the next picture. */
 async function expectAtOnce(picture: () => Promise<Uint8Array>, none: Uint8Array): Promise<void> {
   const some = await picture()
   expect(largestDifference(some, none)).toBeGreaterThan(8)
   expect(largestDifference(await picture(), some)).toBe(0)
 }
 
-/** Returns a function that reports how often the same target is begun while a function draws. */
+/** Returns a function that calls `draw` and counts how often drawing switches to each render target. The function returns the largest count. */
 function watchTargets(renderer: Harness['renderer']): (draw: () => void) => number {
   const gl = renderer.getContext() as WebGL2RenderingContext
-  /** Targets in draw order. */
+  /** Render target of each draw call and clear, in order. */
   const targets: (WebGLFramebuffer | null)[] = []
   for (const method of ['clear', 'clearBufferfv', 'drawArrays', 'drawElements'] as const) {
     const draw = gl[method].bind(gl) as (...parameters: unknown[]) => void
@@ -112,15 +112,15 @@ function watchTargets(renderer: Harness['renderer']): (draw: () => void) => numb
   }
 }
 
-/** Scenes are hooked between frames. */
+/** Waits until Furrow has set its callback on a scene. Furrow does this after the frame. */
 const frameEnd = () => Promise.resolve()
 
-describe.each(['webgl', 'webgpu on webgl2'] as const)('influence on %s', (name) => {
-  it('is drawn before the picture begins, once the scene is known', async () => {
+describe.each(['webgl', 'webgpu on webgl2'] as const)('the influence map on %s', (name) => {
+  it('is drawn before the picture begins, except in the first frame of a scene', async () => {
     const harness = await createHarness(name)
     const { renderer } = harness
     const { scene, wrinkles, picture, set } = sceneOf(harness)
-    // `WebGPURenderer` draws shadows in the middle of a picture.
+    // With shadows, `WebGPURenderer` switches to the shadow map in the middle of a picture, and the switch back would count.
     renderer.shadowMap.enabled = false
     const maxBegins = watchTargets(renderer)
     const begun = (value: number) => {
@@ -131,7 +131,7 @@ describe.each(['webgl', 'webgpu on webgl2'] as const)('influence on %s', (name) 
     await frameEnd()
     expect([0.2, 0.3, 0.4].map(begun)).toEqual([1, 1, 1])
     const shown = await picture()
-    // A page may replace the scene's callback, and call the previous one or not.
+    // A page may replace the callback of the scene, with or without calling the previous one.
     for (const isCalled of [true, false]) {
       const { onBeforeRender } = scene
       let calls = 0
@@ -153,7 +153,7 @@ describe.each(['webgl', 'webgpu on webgl2'] as const)('influence on %s', (name) 
     const harness = await createHarness(name)
     const { scene: loaded } = await loadFile(harness, await wrinkledFile())
     const meshes = faceMeshes(loaded).map((mesh) => pageMesh(mesh, mesh.morphTargetInfluences!))
-    // Meshes in front of a face may lack wrinkles.
+    // Adds a mesh without wrinkles in front of the face.
     const front = new Mesh(new PlaneGeometry(0.2, 0.2), new MeshStandardMaterial())
     front.position.z = 0.5
     const scene = new Scene().add(front, ...meshes)
@@ -184,7 +184,7 @@ describe.each(['webgl', 'webgpu on webgl2'] as const)('influence on %s', (name) 
     harness.dispose()
   })
 
-  it("is drawn after the page's own callbacks before the mesh", async () => {
+  it('is drawn after an onBeforeRender that the page set on the mesh', async () => {
     const harness = await createHarness(name)
     const mesh = square(new MeshStandardMaterial())
     let value = 0
@@ -199,7 +199,7 @@ describe.each(['webgl', 'webgpu on webgl2'] as const)('influence on %s', (name) 
     harness.dispose()
   })
 
-  it('is drawn once per image for all faces, whatever else the scene draws', async () => {
+  it('is drawn once per image for all faces, also with shadows and reflections', async () => {
     const harness = await createHarness(name)
     const { renderer } = harness
     const { scene, wrinkles } = sceneOf(harness)
@@ -208,7 +208,7 @@ describe.each(['webgl', 'webgpu on webgl2'] as const)('influence on %s', (name) 
     const away = squareCamera()
     away.position.x = 100
     const overridden = new MeshStandardMaterial()
-    /** Images of a frame, including influence. */
+    /** Draws the images of a frame, and returns the number of render calls, including calls for influence. */
     const frame = (value: number, images: (() => void)[]) => {
       for (const face of [wrinkles, other]) for (const area of face.areaNames) face.setActivation(area, value)
       const before = imagesOf(renderer)
@@ -233,7 +233,7 @@ describe.each(['webgl', 'webgpu on webgl2'] as const)('influence on %s', (name) 
     harness.dispose()
   })
 
-  it('hooks a scene only a few times, even if the page puts a mesh in front each time', async () => {
+  it('sets onBeforeRender of a scene only a few times, even if the page replaces it in every frame', async () => {
     const harness = await createHarness(name)
     const { scene, wrinkles } = sceneOf(harness)
     harness.renderer.shadowMap.enabled = false
@@ -254,7 +254,7 @@ describe.each(['webgl', 'webgpu on webgl2'] as const)('influence on %s', (name) 
     harness.dispose()
   })
 
-  it('is ready for meshes that the page puts in front later', async () => {
+  it('is drawn after an onBeforeRender that the page sets on the mesh later', async () => {
     const harness = await createHarness(name)
     const { wrinkles, picture, set } = sceneOf(harness)
     const { mesh } = wrinkles

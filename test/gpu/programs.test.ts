@@ -37,7 +37,7 @@ describe.each(RENDERERS)('shader programs on %s', (name) => {
         removeArea(wrinkles, wrinkles.areaNames[wrinkles.areaNames.length - 1])
       expect(await draw(), `back at ${count} areas`).toBe(programs)
     }
-    // The last area of each count differs, which proves that the array was rebuilt. Removing areas restores the earlier pictures.
+    // Each number of areas gives another picture, which proves that the array of areas was rebuilt.
     expect(new Set(pictures).size).toBe(COUNTS.length)
     wrinkles.dispose()
   })

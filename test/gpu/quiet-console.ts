@@ -2,7 +2,7 @@ import { afterEach, beforeEach, type MockInstance, vi } from 'vitest'
 
 type Spy = MockInstance<(...parts: unknown[]) => void>
 
-/** Captures warnings and errors of the current test instead of printing them. Call inside `describe`. */
+/** Records the warnings and errors of each test instead of printing them. Call inside `describe`. */
 export function quietConsole(): { readonly warn: Spy; readonly error: Spy } {
   const spies = {} as { warn: Spy; error: Spy }
   beforeEach(() => {

@@ -27,7 +27,7 @@ describe.each(['webgl', 'webgpu'] as const)('components that are mounted and unm
   let added: MockInstance
   let removed: MockInstance
   let frame: RendererFrame
-  /** Number of faces in the frame loop beyond those before the first cycle. */
+  /** Number of faces in Furrow's frame loop, in addition to those before the first cycle. */
   let members = 0
   const made: WeakRef<object>[] = []
   const set = randomSet(seeded(3), 1, 16)
@@ -71,15 +71,15 @@ describe.each(['webgl', 'webgpu'] as const)('components that are mounted and unm
     ),
   ]
 
-  /** Mounts, draws, unmounts and draws. */
+  /** Mounts the components, draws, unmounts them and draws again. */
   const cycle = async () => {
     const { scene } = await react.show(page())
     const meshes = scene.getObjectsByProperty('isMesh', true) as Mesh[]
     for (const { morphTargetInfluences } of meshes) morphTargetInfluences?.fill(1)
-    // Meshes made by the page wrinkle from their second frame on.
+    // A mesh that the page makes gets wrinkles in its second frame.
     await react.advance(2)
     const faces = new Set(meshes.map((mesh) => wrinklesOf(mesh)!))
-    // Faces: the file's, shared by the first copy; one per mesh with its own material; and the one of a set.
+    // Four faces: one of the file, which the first copy shares; two of meshes with separate materials; one of a wrinkle set.
     expect([...faces].filter((face) => !face.isDisposed)).toHaveLength(4)
     made.push(...[...faces, ...meshes].map((object) => new WeakRef<object>(object)))
     await react.show(null)
@@ -87,7 +87,7 @@ describe.each(['webgl', 'webgpu'] as const)('components that are mounted and unm
     expect([...faces].filter((face) => !face.isDisposed)).toHaveLength(1)
     frame = added.mock.contexts[0] as RendererFrame
     members += added.mock.calls.length - removed.mock.calls.length
-    // Spies keep their arguments alive.
+    // A spy keeps its recorded arguments alive.
     added.mockClear()
     removed.mockClear()
   }
@@ -109,7 +109,7 @@ describe.each(['webgl', 'webgpu'] as const)('components that are mounted and unm
   })
 })
 
-/** Counts the listeners of meshes, geometries and materials. */
+/** Counts the event listeners of meshes, geometries and materials. */
 function listenersOf(root: Object3D): number {
   let count = 0
   root.traverse((object) => {

@@ -5,14 +5,14 @@ import { vi } from 'vitest'
 import type { Harness } from './harness.ts'
 
 export interface ReactScene {
-  /** Renders elements in StrictMode with a light. */
+  /** Renders elements and a light in StrictMode. */
   show(children: ReactNode): Promise<RootState>
-  /** Advances by frames of 0.1 s, including the components' frame callbacks. */
+  /** Advances by frames of 0.1 s, which call the frame callbacks of components. */
   advance(frames: number): Promise<void>
   dispose(): Promise<void>
 }
 
-/** Creates a React Three Fiber root on the test's renderer, which draws on demand. */
+/** Creates a React Three Fiber root that uses the renderer of the harness and draws on demand. */
 export async function createReactScene(harness: Harness, size: number): Promise<ReactScene> {
   vi.stubGlobal('IS_REACT_ACT_ENVIRONMENT', true)
   extend(THREE as never)

@@ -27,7 +27,7 @@ describe('the state of wrinkles in React', () => {
   })
   beforeEach(async () => {
     const loader = new GLTFLoader()
-    // Hooks extend the loader for each file.
+    // Furrow's hook calls `extendLoader` again for each file.
     for (let i = 0; i < 2; i++) extendLoader(loader)
     gltf = await loader.parseAsync((await wrinkledFile()).buffer, '')
     face = wrinklesOf(gltf)[0]
@@ -130,7 +130,7 @@ describe('the state of wrinkles in React', () => {
     expect(face.inputs.get('age')).toBe(0)
   })
 
-  it('skips features that a face lacks, with one warning, and applies the rest', async () => {
+  it('ignores names that a face lacks, with one warning, and applies the rest', async () => {
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
     const state = {
       mode: 'fancy' as never,
@@ -174,7 +174,7 @@ describe('the state of wrinkles in React', () => {
     expect([own.isDisposed, wrinklesOf(mesh)]).toEqual([true, undefined])
   })
 
-  it('leaves a mesh plain, with one warning, if it cannot take the set', async () => {
+  it('adds no wrinkles to an unsuitable mesh, and logs one warning', async () => {
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
     const broken = createElement(Wrinkles, { set: { layers: [], areas: [] } })
     await react.show(createElement('mesh', null, createElement('planeGeometry'), broken))

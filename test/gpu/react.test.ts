@@ -38,7 +38,7 @@ describe('a loaded face in React Three Fiber', () => {
     scene = (await react.show(children)).scene
   }
   const picture = async () => {
-    // Faces made by the page wrinkle from their second frame on.
+    // A mesh that the page makes gets wrinkles in its second frame.
     await harness.render(scene, squareCamera(), SIZE)
     return harness.render(scene, squareCamera(), SIZE)
   }
@@ -50,7 +50,7 @@ describe('a loaded face in React Three Fiber', () => {
   }
   const loadedMeshes = () => gltf.scene.getObjectByName('face')!.children as THREE.Mesh[]
 
-  /** Component as written by gltfjsx. */
+  /** Component like those that gltfjsx writes. */
   function Face({ file, own = false }: { file: GLTF; own?: boolean }) {
     const { nodes, materials } = useGraph(file.scene)
     const meshes = nodes.face.children as THREE.Mesh[]
@@ -80,7 +80,7 @@ describe('a loaded face in React Three Fiber', () => {
       () => createElement(Clone, { object: gltf.scene, deep: 'materialsOnly' }),
     ],
   ]
-  /** drei copies geometries for a deep clone and never disposes of them. */
+  /** Deep clone, for which drei copies geometries and never disposes of them. */
   const DEEP: (typeof WAYS)[number] = [
     'as a deep <Clone>',
     () => createElement(Clone, { object: gltf.scene, deep: true }),
@@ -116,7 +116,7 @@ describe('a loaded face in React Three Fiber', () => {
       }
       await show(null)
     }
-    // Single cells of the influence atlas take one geometry, once per atlas.
+    // The influence atlas creates its own geometry on first use, so mount twice before counting.
     for (let i = 0; i < 2; i++) await mount()
     const { textures, geometries } = memory
     for (let i = 0; i < 4; i++) await mount()
@@ -128,7 +128,7 @@ describe('a loaded face in React Three Fiber', () => {
     ['<Clone> makes', () => createElement(Clone, { object: gltf.scene })],
     ['a page makes once', () => createElement(Face, { file: { scene: clone(gltf.scene) } as GLTF })],
   ])('wrinkles a copy of a face with a skeleton that %s, and frees everything', async (_, create) => {
-    // SkeletonUtils copies a scene as one if anything in it has a skeleton.
+    // With a skinned mesh in the scene, drei copies the complete scene by SkeletonUtils.
     const skinned = new THREE.SkinnedMesh()
     skinned.visible = false
     skinned.bind(new THREE.Skeleton([new THREE.Bone()]))
@@ -137,7 +137,7 @@ describe('a loaded face in React Three Fiber', () => {
     for (let i = 0; i < 2; i++) {
       await show(element)
       move(1)
-      // `useGraph` gives both meshes the first one's material, which wrinkles a frame before its copy for the second.
+      // `useGraph` gives both meshes one material. The second mesh gets a copy, and wrinkles a frame later.
       for (let frame = 0; frame < 2; frame++) await picture()
       const meshes = shownMeshes().filter((mesh) => mesh.visible)
       const faces = meshes.map((mesh) => wrinklesOf(mesh) as Wrinkles)

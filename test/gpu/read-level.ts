@@ -3,9 +3,9 @@ import type { WebGPURenderer } from 'three/webgpu'
 import type { Harness } from './harness.ts'
 
 /**
- * Reads one level of a texture, or of one array slice, back from the GPU: bytes in upload order, top row first.
+ * Reads one mipmap level of a texture, or of a slice of an array, back from the GPU: bytes, top row first.
  *
- * @param slice slice index for array textures; null for others.
+ * @param slice index of the slice in an array texture; null for other textures.
  */
 export async function readLevel(
   { renderer }: Harness,
@@ -16,7 +16,7 @@ export async function readLevel(
   const { width, height, data, depth } = texture.image as {
     width: number
     height: number
-    /** Absent in render targets. */
+    /** Absent in textures of render targets. */
     data?: Uint8Array
     depth?: number
   }
@@ -40,7 +40,7 @@ export async function readLevel(
   )
 }
 
-/** Places where three.js keeps the texture: WebGPU, its WebGL 2 backend, `WebGLRenderer`. */
+/** Fields in which three.js stores the GPU texture: on WebGPU, on its WebGL 2 backend, and in `WebGLRenderer`. */
 interface Textures {
   texture: GPUTexture
   textureGPU: WebGLTexture

@@ -1,7 +1,7 @@
 import { createReadStream, mkdtempSync, readFileSync, rmSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
-import type { Readable } from 'node:stream'
+import { Readable } from 'node:stream'
 import { fileURLToPath } from 'node:url'
 import { createServer, type InlineConfig, type Plugin } from 'vite'
 import type { facePacker } from './pack-faces.ts'
@@ -9,13 +9,14 @@ import type { facePacker } from './pack-faces.ts'
 const moduleOf = (name: string) => fileURLToPath(new URL(name, import.meta.url))
 
 /**
- * Serves generated files to tests in the browser, each made on first request:
- * - `/packed/NAME.glb`: faces of `pack-faces.ts`; `/packed/bare-faces.json` lists the bare ones
+ * Vite plugin that serves generated files to tests in the browser. It makes each file on the first request:
+ * - `/packed/NAME.glb`: faces of `pack-faces.ts`; `/packed/bare-faces.json` lists those without wrinkles
  * - `/damaged-faces.json`: files of `damaged-faces.ts`
  * - `/export-cases.json`: cases of `export-cases.ts`
- * - `/auto-digest.json`: digest computed in Node by `auto-digest.ts`
+ * - `/small-head.glb`: face of `small-head.ts`
+ * - `/auto-digests.json`: hashes computed in Node by `auto-digest.ts`
  *
- * @param sources resolution of the modules that make the files, in Node.
+ * @param sources Vite options that resolve the repository's packages to their sources, for the modules that make the files.
  */
 export function serveFaces(sources: Sources): Plugin {
   return {
@@ -43,8 +44,18 @@ export function serveFaces(sources: Sources): Plugin {
         return createReadStream(await packer(name))
       })
       serve('/damaged-faces.json', async (faces) => JSON.stringify(await faces.damagedFaces()))
-      serve('/auto-digest.json', async (faces) => {
-        return JSON.stringify(await faces.autoDigest(readFileSync(join(root, 'faces/human.glb'))))
+      let small: Promise<Uint8Array> | undefined
+      const smallHead = (faces: Modules) => {
+        small ??= faces.smallHead(join(root, 'faces/human.glb'))
+        return small
+      }
+      serve('/small-head.glb', async (faces) => Readable.from([await smallHead(faces)]))
+      serve('/auto-digests.json', async (faces) => {
+        const human = readFileSync(join(root, 'faces/human.glb'))
+        return JSON.stringify({
+          'human.glb': await faces.autoDigest('human.glb', human),
+          'small-head.glb': await faces.autoDigest('small-head.glb', await smallHead(faces)),
+        })
       })
       serve('/export-cases.json', async (faces) => {
         return JSON.stringify(await faces.exportCases(mkdtempSync(join(folder, 'export-'))))
@@ -55,12 +66,13 @@ export function serveFaces(sources: Sources): Plugin {
 
 type Modules = typeof import('./pack-faces.ts') &
   typeof import('./damaged-faces.ts') &
-  typeof import('./auto-digest.ts') &
+  typeof import('../auto-digest.ts') &
+  typeof import('../small-head.ts') &
   typeof import('./export-cases.ts')
 
 type Sources = Pick<InlineConfig, 'resolve' | 'ssr'>
 
-/** Uses a separate server, because Vitest's rewrites dynamic imports for the browser only. */
+/** Loads the modules by a separate Vite server, because the server of Vitest rewrites dynamic imports for browsers. */
 async function openModules(root: string, { resolve, ssr }: Sources): Promise<Modules> {
   const server = await createServer({
     root,
@@ -70,8 +82,13 @@ async function openModules(root: string, { resolve, ssr }: Sources): Promise<Mod
     optimizeDeps: { noDiscovery: true },
     server: { middlewareMode: true, hmr: false, ws: false, watch: null },
   })
-  const modules = ['pack-faces.ts', 'damaged-faces.ts', 'export-cases.ts', 'auto-digest.ts'].map((name) =>
-    server.ssrLoadModule(moduleOf(name)),
-  )
+  const names = [
+    'pack-faces.ts',
+    'damaged-faces.ts',
+    'export-cases.ts',
+    '../auto-digest.ts',
+    '../small-head.ts',
+  ]
+  const modules = names.map((name) => server.ssrLoadModule(moduleOf(name)))
   return Object.assign({}, ...(await Promise.all(modules)))
 }

@@ -5,10 +5,10 @@ import { seeded } from '../random.ts'
 import { largestDifference } from './difference.ts'
 import { createHarness, type Harness, imagesOf, RENDERERS, square, squareCamera } from './harness.ts'
 
-/** Side of the pictures, pixels. */
+/** Width and height of the pictures, pixels. */
 const SIDE = 64
 
-/** Creates a face for one renderer. */
+/** Creates a face with wrinkles for one renderer. */
 function faceOn(harness: Harness) {
   const mesh = square(new MeshPhysicalMaterial())
   const light = new DirectionalLight()
@@ -25,7 +25,7 @@ function faceOn(harness: Harness) {
     wrinkles,
     scene,
     picture,
-    /** Returns the number of images that a picture takes. */
+    /** Draws a picture, and returns the number of render calls. */
     async images() {
       const before = imagesOf(harness.renderer)
       await picture()
@@ -36,7 +36,7 @@ function faceOn(harness: Harness) {
 
 it.each(RENDERERS)('faces of two renderers on one page are independent on %s', async (name) => {
   const harnesses = [await createHarness(name), await createHarness(name)]
-  // One renderer is ahead of the other by some images, like a page that loads.
+  // One renderer has already drawn some images, as on a page that creates the renderers one after the other.
   for (const lead of [0, 1, 2, 3]) {
     const faces = harnesses.map((harness) => faceOn(harness))
     const [first, second] = faces
@@ -47,7 +47,7 @@ it.each(RENDERERS)('faces of two renderers on one page are independent on %s', a
       expect(largestDifference(await second.picture(), wanted), `${lead} second ${i}`).toBe(0)
       expect(largestDifference(await first.picture(), wanted), `${lead} first ${i}`).toBe(0)
     }
-    // The other renderer's drawing must not redraw a static face.
+    // Drawing with one renderer must not redraw the influence of a still face on the other.
     for (let i = 0; i < 2; i++) for (const { images } of faces) expect(await images()).toBe(1)
     for (const { set } of faces) set(0.9)
     const moved = await first.picture()

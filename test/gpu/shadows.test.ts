@@ -23,7 +23,7 @@ describe.each(RENDERERS)('shadows on %s', (name) => {
     harness.renderer.shadowMap.enabled = true
   })
 
-  // A renderer draws shadows with its own material, which uses the colour nodes of the mesh.
+  // A renderer draws shadows with a separate material, which uses the colour nodes of the mesh.
   it.each([
     ['standard', false, MeshStandardMaterial],
     ['standard', true, MeshStandardMaterial],
@@ -54,14 +54,14 @@ describe.each(RENDERERS)('shadows on %s', (name) => {
     },
   )
 
-  /** Shows only the ground: the mesh is above the camera's view. */
+  /** Draws only the ground. The mesh is outside the view of the camera. */
   function shoot(scene: Scene, castsShadow: boolean) {
     scene.children[0]!.castShadow = castsShadow
     return harness.render(scene, squareCamera(), PIXELS)
   }
 })
 
-/** Creates a scene where a mesh outside the picture casts a shadow into it. */
+/** Creates a scene in which a mesh outside the picture casts a shadow into the picture. */
 function shadowed(mesh: Mesh): Scene {
   const ground = new Mesh(new PlaneGeometry(4, 4), new MeshStandardMaterial())
   ground.position.z = -1

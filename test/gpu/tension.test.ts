@@ -26,7 +26,7 @@ import { createHarness, type Harness, type RendererName, squareCamera } from './
 
 const full: GrayImage = { width: 1, height: 1, data: Uint8Array.of(255) }
 const MEASURES = ['compression', 'stretch'] as const
-/** Timeout for the GPU, milliseconds; software rasterisers are slow. */
+/** Time limit for a measurement, milliseconds. Software rasterisers are slow. */
 const TIMEOUT = 300_000
 const disposers: (() => void)[] = []
 
@@ -46,7 +46,7 @@ afterEach(() => {
   for (const dispose of disposers.splice(0)) dispose()
 })
 
-/** Adds wrinkles whose activations are the tension of a mesh. Returns a function that draws until tension is measured, and reads it. */
+/** Adds wrinkles with tension drivers to a mesh. The returned function draws until the GPU has measured the tension. Then it returns the tension. */
 function createMeasurement(mesh: Mesh, weights = full, direction?: [number, number]) {
   mesh.material = new MeshStandardMaterial()
   mesh.frustumCulled = false
@@ -70,14 +70,14 @@ function createMeasurement(mesh: Mesh, weights = full, direction?: [number, numb
   const scene = new Scene()
   scene.add(mesh)
   return async () => {
-    // The first frame may finish an earlier measurement. The second starts the measurement that the third shows.
+    // The first frame may finish an earlier measurement. The second frame starts a measurement. Its result arrives before the third frame.
     for (let frame = 0; frame < 3; frame++) await harness.renderBytes(scene, squareCamera(), 4)
     const [compression, stretch] = MEASURES.map((name) => 2 * wrinkles.getActivation(name) - 1)
     return { compression, stretch }
   }
 }
 
-/** Creates a sheet of 1 x 1 with `side` x `side` squares. */
+/** Creates a flat sheet of 1 x 1 units, divided into `side` x `side` squares. */
 function sheet(side: number): BufferGeometry {
   return new PlaneGeometry(1, 1, side, side)
 }
@@ -91,7 +91,7 @@ function deform({ attributes: { position } }: BufferGeometry, change: (point: Ve
   position.needsUpdate = true
 }
 
-/** Computes the mean tension of all triangles in float64, weighted by rest area and by `weigh` at centroids. */
+/** Computes the mean tension of all triangles in float64. The weight of a triangle is its area at rest times `weigh` at its centroid. */
 function exactTension(mesh: Mesh, rest: ArrayLike<number>, weigh: (centroid: number[]) => number = () => 1) {
   const { count } = mesh.geometry.attributes.position
   const now = new Float64Array(3 * count)
@@ -112,7 +112,7 @@ function exactTension(mesh: Mesh, rest: ArrayLike<number>, weigh: (centroid: num
   return { compression: compression / sum, stretch: stretch / sum }
 }
 
-/** Computes the relative length of a step along a direction of the sheet's texture, which equals its x and y. */
+/** Computes the tension along a direction of the texture in float64. On the sheet, u and v equal x and y. */
 function exactTensionAlong(mesh: Mesh, rest: ArrayLike<number>, direction: [number, number]): number {
   const triangles = mesh.geometry.index!.array
   const step = new Vector3(...direction, 0).normalize()
@@ -133,7 +133,7 @@ function exactTensionAlong(mesh: Mesh, rest: ArrayLike<number>, direction: [numb
   return stretch / sum
 }
 
-/** Creates a skinned sheet whose upper half is rotated and scaled by a joint. */
+/** Creates a skinned sheet. A joint rotates and scales the upper half. */
 function skinnedSheet(): SkinnedMesh {
   const geometry = sheet(12)
   const { position } = geometry.attributes
@@ -190,7 +190,7 @@ describe('tension on WebGPU', () => {
   afterAll(() => harness.dispose())
 
   it.each([1, 7, 40])(
-    'of a sheet of %d squares a side shortened by a fifth along x is 0.20',
+    'is 0.20 for a sheet of %d x %d squares that is shortened by a fifth along x',
     async (side) => {
       const mesh = new Mesh(sheet(side))
       const measure = createMeasurement(mesh)
@@ -201,7 +201,7 @@ describe('tension on WebGPU', () => {
     },
   )
 
-  it.each([1, 7, 40])('of a rigid motion of %d squares a side is 0', async (side) => {
+  it.each([1, 7, 40])('is 0 for a rigid motion of a sheet of %d x %d squares', async (side) => {
     const mesh = new Mesh(sheet(side))
     const measure = createMeasurement(mesh)
     const turn = new Matrix4().makeRotationFromEuler(new Euler(0.4, 1.2, -2)).setPosition(0.3, -0.1, 0.7)
@@ -209,7 +209,7 @@ describe('tension on WebGPU', () => {
     for (const value of Object.values(await measure())) expect(Math.abs(value)).toBeLessThan(1e-5)
   })
 
-  it('of a fold along an edge is 0', async () => {
+  it('is 0 for a fold along an edge', async () => {
     const mesh = new Mesh(sheet(8))
     const measure = createMeasurement(mesh)
     deform(mesh.geometry, ({ x, y }) => new Vector3(Math.min(x, 0), y, Math.max(0, x)))
@@ -220,7 +220,7 @@ describe('tension on WebGPU', () => {
     ['blendshapes', () => new Mesh(sheet(12)), true],
     ['a skeleton', skinnedSheet, false],
     ['a skeleton on top of blendshapes', skinnedSheet, true],
-  ] as const)('is the mean over all triangles that %s deform', async (_, make, hasTargets) => {
+  ] as const)('is the mean over all triangles of a mesh deformed by %s', async (_, make, hasTargets) => {
     const mesh = make()
     if (hasTargets) addTargets(mesh)
     mesh.morphTargetInfluences?.splice(0, 2, 0.9, -0.4)
@@ -234,7 +234,7 @@ describe('tension on WebGPU', () => {
     const rest = mesh.geometry.attributes.position.array
     const found = await createMeasurement(mesh, weights)()
     const texel = (coordinate: number) => Math.floor(coordinate * size)
-    // v of the plane grows with y, and row 0 of an image is at v = 0.
+    // On this plane v increases with y, and row 0 of an image is at v = 0.
     const expected = exactTension(
       mesh,
       rest,
@@ -249,7 +249,7 @@ describe('tension on WebGPU', () => {
     [1, 0],
     [0, 2],
     [1, -1],
-  ])('along %d, %d of the texture is the change of length in that direction', async (...direction) => {
+  ])('along (%d, %d) in the texture is the change of length in this direction', async (...direction) => {
     const mesh = skinnedSheet()
     addTargets(mesh)
     mesh.morphTargetInfluences?.splice(0, 2, 0.9, -0.4)
@@ -345,7 +345,7 @@ describe('tension on WebGPU with a failing readback', () => {
   })
 })
 
-describe("tension on WebGPURenderer's WebGL 2", () => {
+describe('tension with WebGPURenderer on WebGL 2', () => {
   beforeAll(() => begin('webgpu on webgl2'))
   afterAll(() => harness.dispose())
 

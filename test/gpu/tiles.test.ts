@@ -17,7 +17,7 @@ import { createHarness, type Harness, harnessOn, RENDERERS, square, squareCamera
 
 const MAP = 16
 const PIXELS = 64
-/** Range within a tile whose steps are exact in float32 in all tested tiles. */
+/** Scale and offset of texture coordinates that float32 represents exactly in all tested tiles. */
 const [SCALE, START] = [0.875, 0.0625]
 const TILES = [
   [1, -1],
@@ -63,7 +63,7 @@ it.each(RENDERERS)(
     const first = await picture()
     expect(new Set(first).size).toBeGreaterThan(30)
     normals.offset.set(1, -2)
-    // three.js applies the transform in the next frame.
+    // three.js applies a changed texture transform only in the next frame.
     await picture()
     expect(await picture()).toEqual(first)
     wrinkles.dispose()
@@ -72,7 +72,7 @@ it.each(RENDERERS)(
 )
 
 it.each(RENDERERS)(
-  'a mesh that crosses tiles has no seam on %s, even if another mesh of the face stays within one',
+  'a mesh that crosses tiles has no seam on %s, even if another mesh of the face lies in one tile',
   async (name) => {
     const harness = await createHarness(name)
     const pictures = []

@@ -17,7 +17,7 @@ describe.each(RENDERERS)('a face compressed by glTF-Transform, on %s', (name) =>
     return wrinkles
   }
 
-  // Minimum correlation, which lost or moved wrinkles fail, and tolerance of strength, which halved wrinkles fail.
+  // Lost or moved wrinkles have a correlation below `least`. Halved wrinkles change the strength by more than `most`.
   it.each([
     ['dedup, prune, resize, lossless WebP and meshopt', 'transformed', 0.98, 0.05],
     ['dedup, prune, resize, lossy WebP and meshopt', 'transformed-lossy', 0.9, 0.2],
@@ -31,7 +31,7 @@ describe.each(RENDERERS)('a face compressed by glTF-Transform, on %s', (name) =>
   })
 
   it.each(BARE_FACES.map(({ name }, i) => [name, i] as const))(
-    'still wrinkles as %s with drawn wrinkles',
+    'still has the wrinkles that were drawn on %s',
     async (_, i) => {
       const drawn = await wrinklesOf(`drawn-${i}`)
       const { strength, correlation, ratio } = compareWrinkles(

@@ -29,7 +29,7 @@ const AREA = 16
 const MAP = 64
 const KINDS = ['normal', 'baseColor', 'roughness', 'occlusion', 'blood'] as const
 
-/** Rectangles in the middle, at borders and corners, complete, and of one texel. */
+/** Rectangles to change: in the middle, at borders and corners, the complete map, and one texel. */
 const REGIONS: Bounds[] = [
   { x0: 13, y0: 22, x1: 30, y1: 41 },
   { x0: 0, y0: 0, x1: 9, y1: 5 },
@@ -48,7 +48,7 @@ describe.each(RENDERERS)('wrinkles that change while shown, on %s', (name) => {
   })
   afterEach(() => expect(errors).toEqual([]))
 
-  /** Creates a square in a scene with its wrinkles. */
+  /** Creates a scene with a square that has wrinkles. */
   function faceOf(source: WrinkleSet | AnyWrinkles, mode: WrinkleMode = 'default') {
     const mesh = square(new MeshStandardMaterial({ color: 0xd0e0f0 }))
     const wrinkles = new harness.Wrinkles(mesh, source, { areaSize: AREA, mode })
@@ -56,7 +56,7 @@ describe.each(RENDERERS)('wrinkles that change while shown, on %s', (name) => {
     return { mesh, wrinkles }
   }
 
-  /** Renders `pixels` x `pixels`. Small pictures show small mipmap levels. */
+  /** Renders a picture, `pixels` wide. Small pictures show the smaller mipmap levels. */
   const picture = (mesh: Mesh, pixels = MAP, by = harness) => {
     const scene = new Scene()
     const light = new DirectionalLight(0xffffff, 2)
@@ -65,7 +65,7 @@ describe.each(RENDERERS)('wrinkles that change while shown, on %s', (name) => {
     return by.renderBytes(scene, squareCamera(), pixels)
   }
 
-  /** Expects the picture of newly created wrinkles, which differs by rounding because their influence map is elsewhere in the atlas. */
+  /** Expects that new wrinkles with the same set give the same picture. Rounding may differ, because new wrinkles get another atlas cell. */
   async function expectFresh(mesh: Mesh, set: WrinkleSet, pixels: number, tolerance = 1) {
     const shown = await picture(mesh, pixels)
     const fresh = faceOf(set)
@@ -76,7 +76,7 @@ describe.each(RENDERERS)('wrinkles that change while shown, on %s', (name) => {
   }
 
   /**
-   * Expects the GPU textures of newly created wrinkles. GPUs round each mipmap level differently, by up to 1.
+   * Expects GPU textures that equal those of new wrinkles with the same set. Mipmaps from the CPU and from the GPU may differ by 1.
    *
    * @param by renderer that has drawn the wrinkles.
    */
@@ -89,7 +89,7 @@ describe.each(RENDERERS)('wrinkles that change while shown, on %s', (name) => {
       for (let slice = 0; slice < depth; slice++) {
         for (let level = 0; level < levels; level++) {
           const [own, others] = [texture, wanted[i]].map((each) => readLevel(by, each, slice, level))
-          // GPUs average levels that are halved in one direction only in different ways; differences of 22 occur.
+          // For levels that are halved in only one direction, mipmaps from the CPU and from the GPU differ by up to 22.
           const isHalvedTwice = Math.min(width, height) >> (level - 1) > 1
           const tolerance = level === 0 ? 0 : isHalvedTwice ? 2 : 32
           expect(largestDifference(await own, await others)).toBeLessThanOrEqual(tolerance)
@@ -105,7 +105,7 @@ describe.each(RENDERERS)('wrinkles that change while shown, on %s', (name) => {
     const { mesh, wrinkles } = faceOf(set)
     let before = await picture(mesh)
     for (let i = 0; i < 4; i++) {
-      // Shrinks and grows areas and so their rectangles; the last area is resampled.
+      // Changes the part of the texture that an area covers, and thus the area's rectangle. The last area has another size and is resampled.
       const index = i % 2
       const weights =
         i === 3 ? randomWeights(random, 40) : cropped(randomWeights(random, AREA), 3 * i, 14 - i)
@@ -134,7 +134,7 @@ describe.each(RENDERERS)('wrinkles that change while shown, on %s', (name) => {
     wrinkles.dispose()
   })
 
-  it('show an area that was empty, and hide one that was emptied', async () => {
+  it('show an area that is no longer empty, and hide an area that has become empty', async () => {
     const random = seeded(43)
     const set = randomMaps(random)
     const empty = { width: AREA, height: AREA, data: new Uint8Array(AREA * AREA) }
@@ -208,7 +208,7 @@ describe.each(RENDERERS)('wrinkles that change while shown, on %s', (name) => {
     wrinkles.dispose()
   })
 
-  it('show several changes between two frames, and changes before the first', async () => {
+  it('show several changes between two frames, and changes before the first frame', async () => {
     const random = seeded(46)
     const set = randomMaps(random)
     const { mesh, wrinkles } = faceOf(set)
@@ -226,7 +226,7 @@ describe.each(RENDERERS)('wrinkles that change while shown, on %s', (name) => {
     wrinkles.dispose()
   })
 
-  it('change on all faces that share their textures, and stay after one gets other areas', async () => {
+  it('change on all faces that share textures, until one of these faces gets other areas', async () => {
     const random = seeded(47)
     const set = randomMaps(random)
     const first = faceOf(set)
@@ -239,18 +239,18 @@ describe.each(RENDERERS)('wrinkles that change while shown, on %s', (name) => {
     updateArea(second.wrinkles, 'area0', set.areas[0].weights)
     for (const { mesh } of [second, first]) await expectFresh(mesh, set, MAP)
     removeArea(second.wrinkles, 'area1')
-    // From now on only the layers are shared.
+    // After this change the two faces share only their layers.
     updateArea(first.wrinkles, 'area0', randomWeights(random, AREA))
     await expectFresh(second.mesh, { ...set, areas: set.areas.filter(({ name }) => name !== 'area1') }, MAP)
     for (const { wrinkles } of [first, second]) wrinkles.dispose()
   })
 
-  it('change in every renderer, however many changes it missed', async () => {
+  it('change in every renderer, however many changes the renderer has missed', async () => {
     const random = seeded(48)
     const set = randomMaps(random)
     const { wrinkles } = faceOf(set)
     const other = await createHarness(name)
-    // Uploads without drawing, because two `WebGPURenderer`s cannot take turns drawing one influence map.
+    // Uploads the textures without drawing, because two `WebGPURenderer`s cannot draw one influence map in turn.
     const upload = (by: Harness) => meshOf(wrinkles).shaderInputs.textures.upload?.(by.renderer)
     for (const by of [harness, other]) upload(by)
     for (let i = 0; i < 80; i++) {
@@ -301,7 +301,7 @@ describe.each(RENDERERS)('wrinkles that change while shown, on %s', (name) => {
   })
 })
 
-/** Creates two layers with all maps, and eight areas, some of which cover only a part. */
+/** Creates two layers with all maps, and eight areas. Some areas cover only a part of the texture. */
 function randomMaps(random: () => number, width = MAP, height = width): WrinkleSet {
   const layers = (['replace', 'detail'] as const).map((kind, i): Layer => {
     const maps = Object.fromEntries(KINDS.map((map) => [map, randomMap(random, map, width, height)]))
@@ -319,7 +319,7 @@ function randomMaps(random: () => number, width = MAP, height = width): WrinkleS
   return { layers, areas }
 }
 
-/** Copies all maps of a layer, with other pixels in a rectangle. */
+/** Copies all maps of a layer, with new random pixels in a rectangle. */
 function repainted(random: () => number, layer: Layer, { x0, y0, x1, y1 }: Bounds): LayerImages {
   const images = KINDS.flatMap((kind) => {
     if (!layer[kind]) return []
@@ -346,7 +346,7 @@ function randomWeights(random: () => number, width: number, height = width): Gra
   return { width, height, data: Uint8Array.from({ length: width * height }, () => random() * 256) }
 }
 
-/** Keeps weights only in the columns and rows from..to - 1. */
+/** Returns an image whose values are 0 outside the columns and rows `from` to `to - 1`. */
 function cropped({ width, height, data }: GrayImage, from: number, to: number): GrayImage {
   const isInside = (x: number) => x >= from && x < to
   const kept = data.map((weight, i) => (isInside(i % width) && isInside(Math.floor(i / width)) ? weight : 0))

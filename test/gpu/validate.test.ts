@@ -56,7 +56,7 @@ describe('the loader and furrow validate', () => {
       wrinkles?.dispose()
     }
     expect(differing).toEqual([])
-    // Both outcomes must be frequent, otherwise the damage proves nothing.
+    // Many files must be refused and many accepted; otherwise the agreement proves nothing.
     expect(refused).toBeGreaterThan(faces.length / 3)
     expect(refused).toBeLessThan((faces.length * 4) / 5)
   })
@@ -91,7 +91,7 @@ describe('the loader and furrow validate', () => {
 
 const bytesOf = (base64: string) => Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0))
 
-/** Splits a `.glb` into a `.gltf` with separate buffer and images. */
+/** Splits a `.glb` into a `.gltf` and separate files for buffer and images. */
 function split(glb: Uint8Array<ArrayBuffer>) {
   const length = new DataView(glb.buffer).getUint32(12, true)
   const json = JSON.parse(new TextDecoder().decode(glb.subarray(20, 20 + length)))

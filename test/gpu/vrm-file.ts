@@ -2,7 +2,7 @@ import { addMToon, asVrm1 } from '../vrm.ts'
 import { wrinkledFile } from './wrinkled-file.ts'
 
 /**
- * Returns `wrinkledFile` as a VRM 1.0 whose face uses MToon, optionally with an outline.
+ * Makes a VRM 1.0 from `wrinkledFile`, with MToon materials, optionally with an outline.
  *
  * @param change edits the complete JSON.
  */

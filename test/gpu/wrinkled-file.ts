@@ -30,7 +30,7 @@ export const driver = (area: string, target: string) => ({
   ] as [number, number][],
 })
 
-/** Creates two quads side by side with one material, one blendshape, and four areas in the channels of one image. */
+/** Makes a file with two quads side by side, one material, one blendshape, and four areas in the channels of one image. */
 export async function wrinkledFile(
   spoil: (json: WrinkleJson) => unknown = () => {},
   // biome-ignore lint/suspicious/noExplicitAny: the complete JSON of the file
@@ -99,12 +99,12 @@ function quad(document: Document, x: number, material: FileMaterial) {
     )
 }
 
-/** Returns the face's two quads in a loaded scene or a copy of it. */
+/** Returns the two quads in a loaded scene or in a copy of the scene. */
 export function faceMeshes(root: Object3D): Mesh[] {
   return root.getObjectByName('face')!.children as Mesh[]
 }
 
-/** Adds a mesh `eyes` before the face with the same material and other blendshapes, as `edit` of `wrinkledFile`. */
+/** Adds a mesh `eyes` before the face, with the same material and other blendshapes. Use as `edit` of `wrinkledFile`. */
 // biome-ignore lint/suspicious/noExplicitAny: JSON
 export function addEyes(json: any): void {
   const [face] = json.meshes

@@ -18,7 +18,7 @@ import { afterAll, beforeAll, beforeEach, describe, expect, it, vi } from 'vites
 import activations from '../fixtures/files-2026-11/pictures/activations.json'
 import { createHarness, type Harness } from './harness.ts'
 
-// Users' files, see the README.md there, and pictures of them.
+// Folder of files written by an earlier version, and of their pictures; see its README.md.
 const FOLDER = '../fixtures/files-2026-11/'
 const files = import.meta.glob('../fixtures/files-2026-11/**/*.{glb,vrm}', {
   query: '?url',
@@ -33,12 +33,12 @@ const pictures = import.meta.glob('../fixtures/files-2026-11/pictures/*.png', {
 
 const NAMES = Object.keys(activations)
 const PIXELS = 64
-/** Levels of 255. */
+/** Largest allowed difference between two pictures, in any channel, 0..255. */
 const TOLERANCE = 2
-/** Frames until everything that is measured, compiled or transcoded shows. */
+/** After this number of frames, shaders are compiled, textures are transcoded, and the wrinkles are visible. */
 const FRAMES = 4
 
-/** Blendshape weights, which also move automatic wrinkles and muscles if the face has them. */
+/** Blendshape weights of the tested pose. Each face has some of these blendshapes. */
 const WEIGHTS: Readonly<Record<string, number>> = {
   browInnerUp: 0.7,
   browDownLeft: 0.3,
@@ -62,7 +62,7 @@ beforeAll(async () => {
     .setKTX2Loader(ktx2)
     .setMeshoptDecoder(MeshoptDecoder)
     .register((parser) => new VRMLoaderPlugin(parser))
-    // Pictures show no relief, because its frame of arrival varies.
+    // Without relief, because the frame in which relief appears varies.
     .register((parser) => new harness.Plugin(parser, { relief: 'off' }))
 })
 afterAll(() => {
@@ -81,7 +81,7 @@ it('all files have pictures', () => {
 })
 
 describe.each(NAMES)('%s', (name) => {
-  it('looks and moves its wrinkles as when it was written', async () => {
+  it('has the picture and activations that were recorded when it was written', async () => {
     const gltf = await loader.loadAsync(files[FOLDER + name] as string)
     const [maps] = await readWrinkleMaps(gltf)
     const shown = await pose(gltf)
@@ -96,7 +96,7 @@ describe.each(NAMES)('%s', (name) => {
   })
 })
 
-/** Moves all driver inputs, and draws until the effect shows. Returns the activations. */
+/** Sets blendshapes, joints, inputs and animation time, and draws until the effect shows. Returns the activations. */
 async function pose({ scene, animations }: GLTF): Promise<Record<string, number>> {
   const mesh = skinOf(scene)
   const wrinkles = wrinklesOf(mesh)!
@@ -130,7 +130,7 @@ function skinOf(scene: Object3D): Mesh {
   return skins[0]
 }
 
-/** Renders from the front with light from above and one side: RGBA, rows from the bottom. */
+/** Renders the face from the front, lit from above and from one side. Returns RGBA, rows from the bottom. */
 function draw(face: Object3D): Promise<Uint8Array> {
   const light = new DirectionalLight(0xffffff, 2.5)
   light.position.set(-1, 1.2, 1)
@@ -144,7 +144,7 @@ function draw(face: Object3D): Promise<Uint8Array> {
   return harness.renderBytes(scene, camera, PIXELS)
 }
 
-/** Reads a picture: RGBA, rows from the bottom. */
+/** Reads a picture file. Returns RGBA, rows from the bottom. */
 async function read(url: string): Promise<Uint8Array> {
   const bitmap = await createImageBitmap(await (await fetch(url)).blob(), {
     colorSpaceConversion: 'none',

@@ -1,18 +1,18 @@
 // Draws random mutants of the sources, deterministic per seed:
 //     node test/mutants/draw.mjs [SEED] > test/mutants/mutants.json
-// Each changes one expression or statement, like a programming error. Mutants are located by the text of their line.
+// A mutant changes one expression or statement, like a programming error. It is located by the text of its line.
 
 import { readdirSync, readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { fileURLToPath } from 'node:url'
-// The site has the last TypeScript release with a compiler API.
+// The site installs the last TypeScript release that has a compiler API.
 import ts from '../../site/node_modules/typescript/lib/typescript.js'
 
 const ROOT = fileURLToPath(new URL('../../', import.meta.url))
 const LIBRARY = 'packages/furrow/src'
-const CLI = 'packages/cli/src'
+const FILES = 'packages/files/src'
 
-/** Rooms with their folders and the number of mutants each gets. */
+/** Parts of the sources, with their folders and the number of mutants to draw from each. */
 const ROOMS = {
   core: { folders: [`${LIBRARY}/core`], count: 30 },
   math: { folders: [`${LIBRARY}/math`], count: 20 },
@@ -20,15 +20,11 @@ const ROOMS = {
   runtime: { folders: [`${LIBRARY}/runtime`], count: 25 },
   gltf: { folders: [`${LIBRARY}/gltf`], count: 15 },
   author: { folders: [`${LIBRARY}/author`], count: 45 },
-  files: {
-    folders: ['gltf', 'images', 'array', 'wrinkles', 'validate', 'platform'].map((name) => `${CLI}/${name}`),
-    count: 35,
-  },
+  files: { folders: [FILES], count: 35 },
 }
 
-/** Files whose code will be merged with others. */
-const LEFT_OUT =
-  /(usual-maps|morph-drivers|unusual-file|map-source|array-source|other-image|basis-tables|\.d)\.ts$|platform\/browser\//
+/** Files without mutants: tables of constants, type declarations, and variants for browsers, which no test in Node loads. */
+const LEFT_OUT = /(basis-tables|\.d|\.browser)\.ts$/
 
 const FLIPS = {
   '<': '<=',
@@ -70,12 +66,12 @@ function drawRoom(room, folders, count) {
   const found = folders
     .flatMap(filesIn)
     .flatMap((file) => mutantsOf(file).map((mutant) => ({ room, ...mutant })))
-  // Numbers are a third of all candidates.
+  // Keeps 40% of the mutants that change a number. Otherwise, they would be a third of all mutants.
   const all = found.filter(({ kind }) => kind !== 'number + 1' || random() < 0.4)
   const taken = []
   while (taken.length < count) {
     const [mutant] = all.splice(Math.floor(random() * all.length), 1)
-    // One per line, because equal lines have equal mutants.
+    // Takes at most one mutant among equal lines, because equal lines have equal mutants.
     if (taken.every(({ file, line }) => file !== mutant.file || line !== mutant.line)) taken.push(mutant)
   }
   return taken.sort((a, b) => (a.file < b.file ? -1 : a.file > b.file ? 1 : 0))
@@ -89,7 +85,6 @@ function filesIn(folder) {
     .sort()
 }
 
-/** Lists all mutants of a file. */
 function mutantsOf(file) {
   const text = readFileSync(join(ROOT, file), 'utf8')
   const lines = text.split('\n')
@@ -118,7 +113,7 @@ function mutantsOf(file) {
   }
 
   function visit(node) {
-    // Messages, types and names are not behaviour.
+    // Skips error messages, types and imports, which are not behaviour.
     if (ts.isThrowStatement(node) || ts.isTypeNode(node) || ts.isImportDeclaration(node)) return
     if (ts.isNewExpression(node) && node.expression.getText() === 'FurrowError') return
     mutate(node)

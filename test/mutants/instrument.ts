@@ -2,16 +2,15 @@ import { readdirSync, readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import type { Plugin } from 'vite'
 
-/** Change of one source line. */
+/** Change of an expression or statement within one source line. */
 export interface Mutant {
   id: number
-  /** Path of the file when the mutant was drawn. */
   file: string
   /** Text of the line, without indentation. */
   line: string
-  /** Index among equal lines of the file; default 0. */
+  /** Index of the line among equal lines of the file; default 0. */
   nth?: number
-  /** Column within the line's text. */
+  /** Column where the changed text begins. The indentation does not count. */
   at: number
   was: string
   becomes: string
@@ -19,16 +18,16 @@ export interface Mutant {
   isStatement?: boolean
 }
 
-/** Mutant and the current position of its line. */
+/** Mutant with the current position of its text. */
 export interface FoundMutant extends Mutant {
   path: string
-  /** Index in the file's text. */
+  /** Index of the changed text within the file's text. */
   start: number
 }
 
 const SOURCES = ['packages/furrow/src', 'packages/cli/src', 'packages/files/src']
 
-/** Locates each mutant in the file it was drawn from, or in the only other file with that line. */
+/** Locates each mutant in its file, or in the only other file that contains the line. */
 export function findMutants(
   mutants: readonly Mutant[],
   root: string,
@@ -63,7 +62,7 @@ function textsIn(root: string, folder: string): [string, string][] {
   return sources.map((path) => [path, readFileSync(join(root, path), 'utf8')])
 }
 
-/** Returns where the mutated text begins, or undefined if the file has no matching line. */
+/** Returns the index at which the text to change begins, or undefined if the file has no matching line. */
 function startOf({ line, at, was }: Mutant, text: string, nth: number): number | undefined {
   let begin = 0
   for (const each of text.split('\n')) {
@@ -80,7 +79,7 @@ function startOf({ line, at, was }: Mutant, text: string, nth: number): number |
 /**
  * Applies mutants to modules while they load.
  *
- * @param only mutant to apply permanently; by default all are applied, each behind a switch in `switch.ts`.
+ * @param only id of the only mutant to apply. By default all are applied, and `furrowMutant` in `switch.ts` decides which is active.
  */
 export function mutate(mutants: readonly FoundMutant[], root: string, only?: number): Plugin {
   const chosen = only === undefined ? mutants : mutants.filter(({ id }) => id === only)
@@ -95,7 +94,7 @@ export function mutate(mutants: readonly FoundMutant[], root: string, only?: num
       for (const { id, start, was, becomes, isStatement } of own.toSorted((a, b) => b.start - a.start)) {
         if (!text.startsWith(was, start)) throw new Error(`${path}: the text of mutant ${id} has moved`)
         const switched = `(globalThis.furrowMutant?.(${id}) ? (${becomes}) : (${was}))`
-        // A statement starting with a bracket would continue the previous line.
+        // Without `void`, a statement that starts with a bracket would continue the previous line.
         const instead = only !== undefined ? becomes : isStatement ? `void ${switched}` : switched
         text = text.slice(0, start) + instead + text.slice(start + was.length)
       }

@@ -1,6 +1,6 @@
 // Runs each mutant against the tests that reach it:
 //     node test/mutants/run.mjs [--mutants shaders.json] [--ids 1,2] [--output FILE]
-// The first failing test file kills a mutant. Known killers run first, so a run without losses is short.
+// The first test file that fails kills the mutant. Known killers run first, so a run is short if they still kill their mutants.
 
 import { execFileSync, spawn } from 'node:child_process'
 import { existsSync, mkdtempSync, readdirSync, readFileSync, writeFileSync } from 'node:fs'
@@ -13,16 +13,16 @@ import { createVitest } from 'vitest/node'
 
 const ROOT = fileURLToPath(new URL('../../', import.meta.url))
 const CONFIG = join(ROOT, 'test/mutants/vitest.config.ts')
-/** Time limit in seconds beyond six times the file's usual time. A longer run counts as killed by an endless loop. */
+/** Time added to six times the usual duration of a run, seconds. A mutant that exceeds this limit has an endless loop and counts as killed. */
 const PATIENCE = 60
 
 const { values } = parseArgs({
   options: {
     mutants: { type: 'string', default: 'mutants.json' },
     ids: { type: 'string' },
-    // Folder of an earlier run with FURROW_REACHED, to avoid measuring again.
+    // Folder of an earlier run that has measured which tests reach which mutants.
     reached: { type: 'string' },
-    // Test time in seconds, as measured without mutants, after which a mutant counts as a survivor.
+    // Seconds of tests to run per mutant, measured without mutants. If none of these tests fails, the mutant survives.
     budget: { type: 'string', default: 'Infinity' },
     output: { type: 'string' },
   },
@@ -54,7 +54,7 @@ function textOf({ mutants, ...others }) {
   return `${JSON.stringify({ ...others, mutants: [] }, null, 2).replace('[]', () => `[\n${lines.join(',\n')}\n  ]`)}\n`
 }
 
-/** Returns ids of mutants whose line was rewritten. */
+/** Returns the ids of mutants whose line is no longer in the sources. */
 async function findLost() {
   const { module } = await runnerImport(join(ROOT, 'test/mutants/instrument.ts'))
   const { lost } = module.findMutants(list.mutants, ROOT)
@@ -62,7 +62,7 @@ async function findLost() {
   return lost.map(({ id }) => id)
 }
 
-/** Orders tests: same name and room first, then the fastest, because those kill most mutants. */
+/** Finds tests that fail with a mutant. Order: tests with the mutated file's name, tests in its folder, other tests; fast tests first. */
 async function killersOf(mutant) {
   const known = (mutant.killers ?? []).filter((path) => existsSync(join(ROOT, path)))
   for (const file of known) {
@@ -93,7 +93,7 @@ function secondsOf(tests) {
   return tests.reduce((sum, { seconds }) => sum + seconds, 0)
 }
 
-/** Returns the test files that fail with a mutant; all of them on timeout. */
+/** Returns the test files that fail with a mutant, or all test files if the run exceeds the time limit. */
 async function failing({ id }, tests) {
   process.env.FURROW_MUTANT = String(id)
   vitest ??= await createVitest('test', { config: CONFIG, root: ROOT, watch: false, reporters: [{}] })
@@ -113,7 +113,7 @@ async function failing({ id }, tests) {
     const modules = new Map(ended.testModules.map((module) => [module.moduleId, module]))
     return tests.map(({ file }) => file).filter((file) => !modules.get(join(ROOT, file))?.ok())
   }
-  // Ends a hanging or dead worker.
+  // A worker process hangs or has crashed.
   for (const child of childrenOf(process.pid)) process.kill(child, 'SIGKILL')
   vitest = undefined
   return tests.map(({ file }) => file)
@@ -127,7 +127,7 @@ function childrenOf(pid) {
     .map(([child]) => Number(child))
 }
 
-/** Measures reach and time of each test file. Files that fail without mutants are left out. */
+/** Measures which mutants each test file reaches, and how long the file runs. Leaves out files that fail without mutants. */
 async function measureReach() {
   const folder = values.reached ?? mkdtempSync(join(tmpdir(), 'furrow-reached-'))
   const report = join(folder, 'report')
@@ -138,7 +138,7 @@ async function measureReach() {
   return files.filter(({ file }) => !failed.includes(file))
 }
 
-/** Runs on the shader's renderer, one file after the other, because each needs a browser. */
+/** Finds the tests that fail with a changed shader. They run one file after the other, because each needs a browser. */
 async function killersOfShader({ id, file, tests, killers = [] }) {
   const renderer = file.includes('/webgpu/') ? 'webgpu(?! on)' : 'webgl'
   for (const test of killers.length > 0 ? killers : tests) {
@@ -151,7 +151,7 @@ async function killersOfShader({ id, file, tests, killers = [] }) {
   return []
 }
 
-/** Runs in a separate process. */
+/** Runs Vitest in a separate process, and waits for its end. */
 function runAlone(words, env, report) {
   const options = ['run', '--config', CONFIG, '--reporter=json', `--outputFile=${report}`, ...words]
   const child = spawn(process.execPath, ['node_modules/vitest/vitest.mjs', ...options], {

@@ -1,4 +1,4 @@
-/** Switches one mutant on, and records which mutants a test file reaches. */
+/** Setup file that activates the mutant `FURROW_MUTANT`, and records which mutants a test file reaches. */
 
 import { writeFileSync } from 'node:fs'
 import { afterAll, expect } from 'vitest'

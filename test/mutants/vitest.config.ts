@@ -4,7 +4,7 @@ import { defineConfig, type TestProjectInlineConfiguration } from 'vitest/config
 import root from '../../vitest.config.ts'
 import { findMutants, type Mutant, mutate } from './instrument.ts'
 
-// Project to run: `unit` with all mutants behind switches, or another project with one shader changed.
+// Project to run. `unit` contains all mutants, and a switch selects one. Other projects contain one changed shader.
 const name = process.env.FURROW_PROJECT ?? 'unit'
 const only = process.env.FURROW_ONLY === undefined ? undefined : Number(process.env.FURROW_ONLY)
 const list = process.env.FURROW_MUTANTS ?? 'mutants.json'

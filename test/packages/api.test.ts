@@ -9,8 +9,8 @@ beforeAll(async () => {
 })
 afterAll(() => remove(folder))
 
-it('every export has a summary, and every entry point a page', async () => {
-  // Fails if a comment is missing: see packages/furrow/typedoc.jsonc.
+it('the API reference has a summary for every export, and a page for every entry point', async () => {
+  // The command fails if a comment is missing, as set in packages/furrow/typedoc.jsonc.
   await run(ROOT, 'npm', 'run', 'api', '--', '--out', folder)
   const { exports } = JSON.parse(readFileSync(join(ROOT, 'packages/furrow/package.json'), 'utf8'))
   const entries = Object.keys(exports).filter((entry) => entry !== './package.json')

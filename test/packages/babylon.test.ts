@@ -1,4 +1,4 @@
-// Babylon.js apps in strict TypeScript, built by Vite from the packed package.
+// Tests Babylon.js apps in strict TypeScript, built by Vite with the packed `furrow`.
 
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
 import { DEPENDENCIES } from './npm.ts'

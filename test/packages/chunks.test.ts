@@ -1,4 +1,4 @@
-// The published loader on pages built by bundlers and on a plain page. Relief is a separate chunk.
+// Tests that the packed loader loads relief as a separate chunk, on pages built by bundlers and on a page without one.
 
 import { cp } from 'node:fs/promises'
 import { join } from 'node:path'

@@ -8,7 +8,7 @@ import { afterAll, beforeAll, describe, expect, inject, it } from 'vitest'
 import { importsIn } from '../../scripts/lib/imports.mjs'
 import { ROOT, remove, run, temporaryFolder } from './npm.ts'
 
-/** The packages are ES modules, and these two resolution modes find only CommonJS. */
+/** Resolution modes of TypeScript that find only CommonJS. Both packages are ES modules, so problems in these modes do not count. */
 const COMMONJS = ['node10', 'node16-cjs']
 
 let folder: string
@@ -69,7 +69,7 @@ describe.each([
     }
   })
 
-  it('imports nothing but itself, Node, and its dependencies', () => {
+  it('imports only its own files, Node modules and its dependencies', () => {
     const { dependencies, peerDependencies } = JSON.parse(read(join(content, 'package.json')))
     const allowed = Object.keys({ ...dependencies, ...peerDependencies })
     const imported = files
@@ -83,7 +83,7 @@ describe.each([
     expect(imported.filter((specifier) => !installed(specifier))).toEqual([])
   })
 
-  it('exports nothing meant only for the workspace', () => {
+  it('exports and imports no internal entry point', () => {
     const { exports, imports } = JSON.parse(read(join(content, 'package.json')))
     expect(Object.keys(exports).filter((entry) => entry.includes('internal'))).toEqual([])
     expect(imports).toBeUndefined()
@@ -107,7 +107,7 @@ describe.each([
     expect(problems).toEqual([])
   })
 
-  // Side effects of other packages' modules are those packages' promise.
+  // Checks only relative imports: other packages state their own side effects.
   it('imports no module of its own for side effects, as "sideEffects": false promises', () => {
     const modules = files.filter((file) => file.endsWith('.js'))
     expect(modules.length).toBeGreaterThan(10)

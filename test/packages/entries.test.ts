@@ -1,4 +1,4 @@
-// Published entry points together: shared code is in one file, and a page requests few files.
+// Tests that the entry points of the packed `furrow` share their common code, and that a page requests few files.
 
 import { cp, mkdir, readFile, symlink, writeFile } from 'node:fs/promises'
 import { dirname, join, relative } from 'node:path'
@@ -6,7 +6,7 @@ import { afterAll, beforeAll, expect, inject, it } from 'vitest'
 import { importsIn } from '../../scripts/lib/imports.mjs'
 import { ROOT, remove, run, temporaryFolder } from './npm.ts'
 
-/** Expression per entry point that throws; the first throws the class that users import. */
+/** For each entry point, a function that throws a FurrowError, given the module. */
 const ERRORS = {
   furrow: '({ parseWrinkleSetDocument }) => parseWrinkleSetDocument({ version: 2 })',
   'furrow/three': '({ addDrivers }) => addDrivers(null, [])',
@@ -29,7 +29,7 @@ const ERRORS = {
 const ENTRIES = Object.keys(ERRORS)
 const PAIRS = ENTRIES.flatMap((a, i) => ENTRIES.slice(i + 1).map((b) => [a, b]))
 
-/** Largest number of files that a page without a bundler may request per entry point. */
+/** Maximum number of files that a page without a bundler may request for one entry point. */
 const MAX_REQUESTS = 6
 
 let app: string
@@ -47,7 +47,7 @@ beforeAll(async () => {
 })
 afterAll(() => remove(app))
 
-it('every pair of entry points shares one FurrowError, and those of three.js share one wrinklesOf', async () => {
+it('all entry points export errors of one class, and those of three.js share one wrinklesOf', async () => {
   const script = `
     import { Document, WebIO } from '@gltf-transform/core'
     const errors = {}, finders = {}
@@ -78,7 +78,7 @@ it(`a plain page requests at most ${MAX_REQUESTS} files per entry point, and no 
     const files = new Set([join(root, entry)])
     for (const file of files) {
       for (const { specifier, isDynamic } of importsIn(file, await readFile(file, 'utf8'))) {
-        // Dynamic imports are requested later, if ever.
+        // Skips dynamic imports, which a page requests later or not at all.
         if (specifier.startsWith('.') && !isDynamic) files.add(join(dirname(file), specifier))
       }
     }

@@ -1,4 +1,4 @@
-// The recipes of docs/frameworks.md, copied from the page, in apps built by Vite from the packed package.
+// Builds the code blocks of docs/frameworks.md with Vite, with the packed `furrow`, and opens the resulting pages.
 
 import { cp, readFile, writeFile } from 'node:fs/promises'
 import { join } from 'node:path'
@@ -24,7 +24,7 @@ describe.each([
   {
     name: 'aframe',
     packages: ['three@npm:super-three@0.184.0', 'aframe@1.8.0'],
-    // A-Frame's own builds bundle it. It comes from GitHub, which some machines cannot reach.
+    // A-Frame depends on a fork of this package on GitHub, which some machines cannot reach. Its build already contains the fork.
     overrides: { 'three-bmfont-text': '3.0.1' },
     recipe: { 'component.ts': 'ts', 'scene.html': 'html' },
   },
@@ -55,7 +55,7 @@ describe.each([
     await remove(folder)
   })
 
-  /** Saves a picture if FURROW_PICTURES is set. */
+  /** Saves a picture in the folder FURROW_PICTURES, if set. */
   async function keep(state: string, png: Buffer): Promise<void> {
     const pictures = process.env.FURROW_PICTURES
     if (pictures) await writeFile(join(pictures, `${name}-${state}.png`), png)

@@ -1,4 +1,4 @@
-// Follows docs/guide.md from start to end with an avatar and painted maps, in an empty folder.
+// Runs the commands of docs/guide.md in order, in a folder that contains only an avatar and painted maps.
 
 import { cp, mkdir, readFile, writeFile } from 'node:fs/promises'
 import { dirname, join } from 'node:path'
@@ -13,18 +13,18 @@ import { startStaticServer } from '../pages/static-server.ts'
 import { DEPENDENCIES, ROOT, run } from './npm.ts'
 import { useFolder } from './pages.ts'
 
-/** The scan if present, otherwise one of our faces. */
+/** Scanned face if available, otherwise a shipped face without its wrinkles. */
 const AVATAR = BARE_FACES.at(-1)!.path
 
-/** Images that the guide asks the reader to paint, with our colour: a flat normal, or half visible. */
+/** Images that the guide asks the reader to paint, each of one colour: a flat normal map, and areas of weight 0.5. */
 const PAINTED = {
   'painted/layers/expression/normal.png': '#8080ff',
   'painted/areas/foreheadLeft.png': '#808080',
   'painted/areas/glabella.png': '#808080',
 }
 
-/** Step of a page: a block of commands, or a file named in a comment above its block. */
-const STEP = /^(?:<!-- (?<file>\S+) -->\n)?```(?<language>\w+)\n(?<text>.*?)^```$/gms
+/** Matches a code block of the guide, and the name of its file on the line above it. */
+const STEP = /^(?:`(?<file>\S+)`\n\n)?```(?<language>\w+)\n(?<text>.*?)^```$/gms
 
 const folder = useFolder()
 let walk: string
@@ -70,7 +70,7 @@ it('every command of the guide works, in order, and its page shows the face', as
   }
 })
 
-/** Runs a command as printed. Packages come from the repository, in the tested versions. */
+/** Runs a command of the guide. Package names are replaced by packed packages or tested versions. */
 async function runInWalk(command: string): Promise<void> {
   const [program, ...words] = command.split(' ')
   if (command.startsWith('npm install')) {

@@ -17,7 +17,7 @@ beforeAll(async () => {
 })
 afterAll(() => remove(folder))
 
-/** Each app has only the peers of furrow that its entry points need. */
+/** Installs only those peer dependencies that the app's entry points need. */
 describe.each([
   {
     source: 'data.ts',
@@ -54,7 +54,7 @@ async function compile(app: string, source: string, module: string, moduleResolu
     module,
     moduleResolution,
     target: 'es2022',
-    // glTF-Transform's declarations use Float16Array.
+    // `esnext` has Float16Array, which the declarations of glTF-Transform use.
     lib: ['esnext', 'dom'],
     types: [],
     strict: true,
@@ -71,10 +71,10 @@ describe('furrow-cli', () => {
   beforeAll(async () => {
     app = await createApp(join(folder, 'cli'), [cli])
   })
-  // Offline, so that missing packages are not fetched.
+  // Offline, so that npx fails for packages that are not installed.
   const npx = (...words: string[]) => run(app, 'npx', '--offline', ...words)
 
-  it('installs furrow once, and everything it uses of it', async () => {
+  it('needs no separate furrow package', async () => {
     const { dependencies } = JSON.parse(await run(app, 'npm', 'ls', '--all', '--json'))
     expect(Object.keys(dependencies)).toEqual(['furrow-cli'])
     expect(Object.keys(dependencies['furrow-cli'].dependencies)).not.toContain('furrow')
@@ -104,7 +104,7 @@ describe('furrow-cli', () => {
     )
   })
 
-  it('inspects a face, also as `furrow`', async () => {
+  it('inspects a face under the name `furrow`', async () => {
     expect(await npx('furrow', 'inspect', join(ROOT, 'faces/human.glb'))).toContain('foreheadLeft')
   })
 })

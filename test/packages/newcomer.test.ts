@@ -1,4 +1,4 @@
-// A new user with the two packages and a character, in folders that contain nothing else.
+// Tests the packed packages as a new user would, in folders that contain only a character and the packages.
 
 import { cp, mkdir, readFile, writeFile } from 'node:fs/promises'
 import { basename, join } from 'node:path'
@@ -18,7 +18,7 @@ import { startStaticServer } from '../pages/static-server.ts'
 import { createApp, DEPENDENCIES, previewServer, ROOT, run, runUninstalled } from './npm.ts'
 import { useFolder } from './pages.ts'
 
-/** The scan if present, otherwise one of our faces. */
+/** Scanned face if available, otherwise a shipped face without its wrinkles. */
 const AVATAR = BARE_FACES.at(-1)!.path
 
 const SIZE = { width: 300, height: 300 }
@@ -33,7 +33,7 @@ beforeAll(async () => {
   await mkdir(empty)
   await cp(AVATAR, join(empty, 'avatar.glb'))
   await cp(cli, join(empty, basename(cli)))
-  // Small maps take a fraction of the time. The guide's commands make maps of default size.
+  // Makes small maps, to save time. `guide.test.ts` makes maps of default size.
   const options = ['-o', 'wrinkled.glb', '--size', '512']
   await runUninstalled(empty, `./${basename(cli)}`, 'auto', 'avatar.glb', ...options)
 

@@ -11,7 +11,7 @@ export const ROOT = fileURLToPath(new URL('../../', import.meta.url))
 const { devDependencies } = JSON.parse(readFileSync(join(ROOT, 'package.json'), 'utf8'))
 const at = (name: string) => `${name}@${devDependencies[name]}`
 
-/** Packages that applications install besides ours, in the tested versions. */
+/** Packages that the test applications install in addition to Furrow, with the tested versions. */
 export const DEPENDENCIES = {
   three: at('three'),
   types: at('@types/three'),
@@ -38,7 +38,7 @@ export const DEPENDENCIES = {
   oldestBabylon: ['babylon-oldest', 'babylon-loaders-oldest'].map((name) =>
     devDependencies[name].replace('npm:', ''),
   ),
-  // Used only by test applications.
+  // Only test applications use these packages.
   webpack: 'webpack@5.112.2',
   esbuild: 'esbuild@0.28.2',
 }
@@ -55,7 +55,7 @@ export async function run(cwd: string, program: string, ...words: string[]): Pro
   )
 }
 
-/** Creates a folder outside the repository, so that nothing resolves to the repository's node_modules. */
+/** Creates a folder outside the repository, so that no import resolves to the repository's node_modules. */
 export function temporaryFolder(): Promise<string> {
   return mkdtemp(join(tmpdir(), 'furrow-packages-'))
 }
@@ -70,7 +70,7 @@ export async function pack(workspace: string, folder: string): Promise<string> {
 /**
  * Creates an empty app and installs packages in it.
  *
- * @param options source: folder of `apps` to copy. overrides: releases of dependencies, for npm.
+ * @param options `source`: file or folder of `apps` to copy. `overrides`: field of the same name in package.json.
  */
 export async function createApp(
   folder: string,
@@ -86,8 +86,10 @@ export async function createApp(
 }
 
 /**
- * Runs an uninstalled package by `npx`, with a tarball path relative to the folder. Uses a temporary npm cache that shares only the
- * downloads, because npx keeps packages in its cache.
+ * Runs a package with `npx` without installing it. npx would run a package that an earlier call left in npm's cache. So this function uses a
+ * temporary cache, which shares only downloads with the usual cache.
+ *
+ * @param tarball path of the package, relative to the folder.
  */
 export async function runUninstalled(folder: string, tarball: string, ...words: string[]): Promise<string> {
   const cache = await temporaryFolder()
@@ -101,7 +103,7 @@ export async function runUninstalled(folder: string, tarball: string, ...words: 
   }
 }
 
-/** Serves an app's build with the app's own Vite. */
+/** Serves the build of an app, with the version of Vite that the app has installed. */
 export async function previewServer(app: string): Promise<{ origin: string; close(): Promise<void> }> {
   const { preview }: typeof import('vite') = await import(
     pathToFileURL(join(app, 'node_modules/vite/dist/node/index.js')).href

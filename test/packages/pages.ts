@@ -42,7 +42,7 @@ export async function buildByWebpack(app: string): Promise<string> {
   return path
 }
 
-/** Builds with esbuild, in one file or, if it may split, in several. */
+/** Builds an app with esbuild, in one file or, with `maySplit`, in several. */
 export async function buildByEsbuild(app: string, maySplit: boolean): Promise<string> {
   const path = join(app, maySplit ? 'esbuild in several' : 'esbuild in one file')
   const options = ['--bundle', '--minify', '--format=esm', `--outdir=${path}`]
@@ -51,7 +51,7 @@ export async function buildByEsbuild(app: string, maySplit: boolean): Promise<st
   return path
 }
 
-/** Returns the title of a page in a folder after the page has finished. */
+/** Serves a folder and returns the title of a page in it, once the page has finished. */
 export async function titleOf(browser: Browser, root: string, page: string): Promise<string> {
   const server = await startStaticServer(root)
   try {
@@ -61,7 +61,7 @@ export async function titleOf(browser: Browser, root: string, page: string): Pro
   }
 }
 
-/** Returns the title of a page after it has finished, until then `working`. */
+/** Opens a page and returns its title, once the title is no longer `working`. */
 export async function titleAt(browser: Browser, url: string): Promise<string> {
   const { page } = await openPage(browser)
   try {

@@ -4,9 +4,9 @@ import type { ServedApp } from './served-app.ts'
 import { settled } from './settled.ts'
 
 /**
- * Opens an app that shows a face. Its picture must change on click, and the page must report no errors.
+ * Opens an app that shows a face. Expects that a click changes the picture, and that the page reports no errors.
  *
- * @returns requests to other origins.
+ * @returns URLs of requests to other origins.
  */
 export async function expectFaceThatChanges(app: ServedApp, query: string): Promise<string[]> {
   const { page, complaints } = await openPage(app.browser, { viewport: { width: 300, height: 300 } })
@@ -15,7 +15,7 @@ export async function expectFaceThatChanges(app: ServedApp, query: string): Prom
     if (!/^(data|blob):/.test(request.url()) && !request.url().startsWith(app.origin))
       foreign.push(request.url())
   })
-  // Delays the face until the picture without it is taken.
+  // Delays the file of the face until a picture of the empty page is taken.
   let showFace = () => {}
   const mayShow = new Promise<void>((resolve) => {
     showFace = resolve

@@ -1,4 +1,4 @@
-// React Three Fiber apps in strict TypeScript, built by Vite from the packed package.
+// Tests React Three Fiber apps in strict TypeScript, built by Vite with the packed `furrow`.
 
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
 import { DEPENDENCIES } from './npm.ts'

@@ -5,7 +5,7 @@ import { inject } from 'vitest'
 import { openBrowser } from '../pages/browser.ts'
 import { createApp, DEPENDENCIES, previewServer, ROOT, remove, run, temporaryFolder } from './npm.ts'
 
-/** Served app, and a browser to open it in. */
+/** Address of an app, and a browser to open it in. */
 export interface ServedApp {
   origin: string
   browser: Browser
@@ -13,9 +13,9 @@ export interface ServedApp {
 }
 
 /**
- * Builds an app of `apps` by Vite with the packed package and the shipped face.
+ * Builds an app of `apps` by Vite, with the packed `furrow` and the shipped face, and serves the build.
  *
- * @param packages packages to install besides ours, Vite and TypeScript.
+ * @param packages packages to install besides `furrow`, Vite and TypeScript.
  * @param without source files to leave out.
  */
 export async function serveApp(

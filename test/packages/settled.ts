@@ -4,7 +4,7 @@ import { meanPngDifference } from '../pages/studio-page.ts'
 
 const DRAWING = { timeout: 120_000, interval: 500 }
 
-/** Waits for a still picture that differs from the previous one. */
+/** Waits until two consecutive screenshots are equal and differ from `before`. Returns the last. */
 export async function settled(page: Page, before: Buffer): Promise<Buffer> {
   let last = before
   const isSettled = async () => {

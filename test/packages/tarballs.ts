@@ -8,7 +8,7 @@ declare module 'vitest' {
   }
 }
 
-/** Packs both packages once for all tests of the project, and removes them after the last file. */
+/** Packs both packages once for all tests of the project, and removes the tarballs after the last test file. */
 export default async function packAll(project: TestProject): Promise<() => Promise<void>> {
   const folder = await temporaryFolder()
   project.provide('tarballs', {

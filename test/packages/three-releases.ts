@@ -7,37 +7,37 @@ import { openPage } from '../pages/browser.ts'
 import { startStaticServer } from '../pages/static-server.ts'
 import { createApp, ROOT } from './npm.ts'
 
-/** RGB picture of a step of the page, and the warnings meanwhile. */
+/** Result of one step of the page, and the warnings during the step. */
 interface Step<T> {
   result: T
   warnings: string[]
 }
 
-/** Pictures that depend only on wrinkles, before and after areas or layers are repainted. */
+/** RGB pictures without light, before and after the image of an area or a layer is replaced. */
 interface Unlit {
   drawn: number[]
   painted: number[]
 }
 
-/** Steps of `apps/releases/main.js` that depend only on wrinkles. */
+/** Steps of `apps/releases/main.js` that draw without light, so that all releases of three.js must agree. */
 const UNLIT = ['influence', 'normals'] as const
 
 /** Report of `apps/releases/main.js`. */
 export interface Drawn extends Record<(typeof UNLIT)[number], Step<Unlit>> {
   release: string
-  /** Normals of two faces of a `BatchedMesh`, side by side. */
+  /** Normals of two instances of a `BatchedMesh`, side by side, RGB. */
   batch: Step<number[]>
   light: Step<Record<'off' | 'paper' | 'composed' | 'default' | 'relief', number[]>>
 }
 
-/** Page of `apps/releases` with its query. */
+/** File name of a page of `apps/releases`, with its query. */
 type Page = `${'index' | 'refused-webgl' | 'refused-webgpu'}.html${string}`
 
-/** Page that runs only the steps that depend only on wrinkles. */
+/** Page that runs only the steps without light. */
 export const UNLIT_PAGE: Page = 'index.html?step=influence&step=normals'
 
 /**
- * Installs the packed package with a release of three.js, builds a page and opens it. `FURROW_PICTURES` names a folder for its pictures.
+ * Installs the packed `furrow` with a release of three.js, builds a page and opens it. `FURROW_PICTURES` names a folder for screenshots.
  *
  * @param folder folder for the application.
  * @param options options of `npm install`.
@@ -91,7 +91,7 @@ export function expectSameUnlit(drawn: Drawn, other: Drawn): void {
   }
 }
 
-/** Checks the other pictures of a release. Light varies between releases. */
+/** Checks the batch and the lit pictures. Lit pictures are compared with the same release's smooth face, because light varies by release. */
 export function expectAllFeatures(drawn: Drawn, other: Drawn): void {
   const { result: batch, warnings } = drawn.batch
   expect(largestDifference(batch, other.batch.result), 'batch').toBeLessThanOrEqual(2)

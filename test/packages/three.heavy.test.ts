@@ -1,4 +1,4 @@
-// Runs all steps of the page of `three.test.ts`, on both ends of each range of releases in docs/versions.md.
+// Runs all steps of `apps/releases/main.js`, on the first and last release of each range in docs/versions.md.
 
 import { beforeAll, describe, expect, it } from 'vitest'
 import { NEWEST_THREE, OLDEST_THREE } from '../../packages/furrow/src/three/three-version.ts'
@@ -46,7 +46,7 @@ describe('an unsupported three.js', () => {
   ] as const)(
     'keeps the face plain and names the required release, for %s on r%i',
     async (way, release, entry) => {
-      // npm itself refuses releases older than the peer range.
+      // Without `--force`, npm refuses releases outside the range in `peerDependencies`.
       const options = ['--force']
       const page = `refused-${way}.html` as const
       const report = await reportOf<{ warnings: string[]; meshes: number }>(

@@ -1,4 +1,4 @@
-// Draws one page on the oldest and the newest three.js, built from the packed package. `three.heavy.test.ts` covers the releases between.
+// Compares pictures on the oldest and the newest supported three.js. `three.heavy.test.ts` tests the releases between.
 
 import { expect, it } from 'vitest'
 import { NEWEST_THREE, OLDEST_THREE } from '../../packages/furrow/src/three/three-version.ts'

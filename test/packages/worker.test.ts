@@ -1,4 +1,4 @@
-// Published `furrow/auto` on pages built by bundlers and on a plain page. Each starts its worker without configuration.
+// Tests that the packed `furrow/auto` starts its web worker without configuration, on pages with and without a bundler.
 
 import { cp, readdir, readFile, writeFile } from 'node:fs/promises'
 import { join } from 'node:path'

@@ -7,7 +7,7 @@ import { editGlb } from '../glb.ts'
 import { openPage, useBrowser } from './browser.ts'
 import { type CommandResult, runFurrow } from './run-furrow.ts'
 
-/** Blendshapes that keep their names: enough to recognise the rig and play one expression. */
+/** Blendshapes that keep their names, which suffice to recognise the rig and to play one expression. */
 const KEPT_NAMES = /^(eyeBlink|mouthSmileLeft|browDown|browInnerUp)/
 
 const folder = mkdtempSync(join(tmpdir(), 'furrow-report-'))

@@ -1,4 +1,4 @@
-/** Avatars as users bring them, made from a shipped face and written to a folder. */
+/** Writes a folder of avatars that are similar to those of users. All are made from a shipped face. */
 
 import { mkdirSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
@@ -18,23 +18,23 @@ export const io = new NodeIO()
   .registerExtensions(ALL_EXTENSIONS)
   .registerDependencies({ 'draco3d.encoder': await draco3d.createEncoderModule() })
 
-/** Reads the shipped face without wrinkles: their extension is not registered. */
+/** Reads the shipped face. glTF-Transform drops its wrinkles, because the extension is not registered. */
 export async function plainHuman(): Promise<Document> {
   const document = await io.read(HUMAN)
   return document.transform(prune({ keepLeaves: true, keepAttributes: true, keepExtras: true }))
 }
 
-/** Writes only `plain.glb`. */
+/** Writes `plain.glb`, the shipped face without wrinkles. */
 export async function writePlain(folder: string): Promise<void> {
   writeFileSync(join(folder, 'plain.glb'), await io.writeBinary(await plainHuman()))
 }
 
-/** Writes nothing, because the studio has its own faces. */
+/** Writes no avatar, for tests that use the faces of the studio. */
 export async function writeNone(): Promise<void> {}
 
 /**
- * Writes `plain.glb`, `draco.glb`, `turned.vrm`, `broken.glb`, `model.fbx`, `separate/` with a `.gltf` whose textures are in a folder, and
- * `wrinkles/` with `face.glb`, one layer and one area.
+ * Writes `plain.glb`, `draco.glb`, `turned.vrm`, `broken.glb` and `model.fbx`. Also writes `separate/`, a `.gltf` with a folder of
+ * textures, and `wrinkles/`, a wrinkle set with `face.glb`, one layer and one area.
  */
 export async function writeAvatars(folder: string): Promise<void> {
   const write = (path: string, bytes: Uint8Array | string) => writeFileSync(join(folder, path), bytes)
@@ -77,7 +77,7 @@ interface MeshJson {
   extras?: { targetNames?: string[] }
 }
 
-/** Makes a normal map of horizontal ripples. */
+/** Makes a normal map of horizontal waves. */
 function ripples(): Promise<Buffer> {
   const size = 256
   const data = Buffer.alloc(3 * size * size)

@@ -1,4 +1,4 @@
-// Tests the built `furrow batch` with its processes.
+// Tests the built command `furrow batch`, which runs its jobs in separate processes.
 
 import { readdirSync, readFileSync, statSync } from 'node:fs'
 import { cp, mkdir, mkdtemp, readFile, rm, symlink, writeFile } from 'node:fs/promises'
@@ -28,7 +28,7 @@ beforeAll(async () => {
 })
 afterAll(() => rm(root, { recursive: true }))
 
-/** Creates a folder with `count` faces in `in`. */
+/** Creates a folder whose subfolder `in` contains `count` faces. */
 async function inputs(name: string, count: number): Promise<string> {
   const folder = join(root, name)
   await mkdir(join(folder, 'in'), { recursive: true })
@@ -118,7 +118,7 @@ describe('a batch', () => {
     const child = startFurrow(folder, {}, 'batch', 'in/*.glb', ...options, '--jobs', '2', '--thumbnails', '0')
     const ended = new Promise((done) => child.once('close', (_, signal) => done(signal)))
     const jobs = () => childrenOf(child.pid!)
-    // Two jobs, and the guard of their folder.
+    // Two jobs, and the process that watches their temporary folder.
     while (jobs().length < 3) await sleep(20)
     const pids = jobs()
     child.kill('SIGINT')
@@ -127,7 +127,7 @@ describe('a batch', () => {
     expect(pids.filter(isRunning)).toEqual([])
   })
 
-  it('in two parts processes each input in one of them', async () => {
+  it('processes each input exactly once if split by --shard', async () => {
     const folder = await inputs('parts', 4)
     const parts = [1, 2].map((part) => batch(folder, 'in/*.glb', ...options, '--shard', `${part}/2`))
     const counts = (await Promise.all(parts)).map(({ stdout }) => JSON.parse(stdout))
@@ -163,7 +163,10 @@ describe('a batch', () => {
 })
 
 describe("a batch's downloads", () => {
-  /** Starts a server without ETags that sends a face completely, or half of it and then nothing. */
+  /**
+   * Starts a server without ETags. The first download of the face is complete. If `isCompleteGlb` is false, later downloads stall
+   * halfway.
+   */
   async function serve(bytes: Uint8Array, isCompleteGlb: boolean) {
     const server = createServer((request, response) => {
       response.writeHead(200)
@@ -180,7 +183,7 @@ describe("a batch's downloads", () => {
     return { url: `http://127.0.0.1:${(server.address() as AddressInfo).port}/face.glb`, close }
   }
 
-  /** Creates a temporary folder with links to a file under names that an attacker might guess. */
+  /** Creates a temporary folder in which an attacker has placed links to a file, under names that a program might use. */
   async function trap(name: string) {
     const folder = join(root, name)
     const tmp = join(folder, 'tmp')
@@ -196,7 +199,7 @@ describe("a batch's downloads", () => {
   it.each([
     ['is used', () => face, 0],
     ['is refused', () => Buffer.from('text'), 1],
-  ] as const)('are deleted after the batch %s', async (name, bytes, expected) => {
+  ] as const)('are deleted after the file %s', async (name, bytes, expected) => {
     const { folder, tmp, others, check } = await trap(`web ${name}`)
     const { url, close } = await serve(bytes(), true)
     const { code, stderr } = await runFurrow(
@@ -228,7 +231,7 @@ describe("a batch's downloads", () => {
 })
 
 describe('a job', () => {
-  it('is ended if it exceeds memory or time, and the others continue', async () => {
+  it('is ended if it exceeds the memory or time limit, and the others continue', async () => {
     const folder = await inputs('limits', 1)
     await writeFile(join(folder, 'in/large.glb'), await sheetGlb(sheet(800)))
     const words = ['in/*.glb', ...options, '--jobs', '1']
@@ -304,14 +307,14 @@ it('a batch without a browser succeeds, and its page says why thumbnails are mis
 })
 
 describe('the results page', () => {
-  /** Value per column that tells rows apart, in the page's order: failures first, then by file. */
+  /** Rows in the initial order of the page: failures first, then by file name. */
   const ROWS = [
     { input: 'in/c10.glb', status: 'failed', kind: 'file', reason: 'it is text', warnings: [], seconds: 0.4 },
     { input: 'in/b.glb', status: 'done', bytes: 9000, warnings: ['odd'], seconds: 12.5, areas: 3 },
     { input: 'in/c2.glb', status: 'done', bytes: 20_000, warnings: [], seconds: 2.25, areas: 12 },
     { input: 'in/d.glb', status: 'done', bytes: 500, warnings: [], seconds: 2.5, areas: 2 },
   ]
-  /** Order of files for each column, ascending and descending. Two files with equal states keep their order. */
+  /** Order of the files when sorted by each column, ascending and descending. Two files with equal states keep their order. */
   const SORTED = [
     ['File', 'b c2 c10 d', 'd c10 c2 b'],
     ['State', 'c2 d c10 b', 'b c10 c2 d'],
@@ -352,7 +355,7 @@ describe('the results page', () => {
     return page
   }
 
-  /** Returns the files shown, in order. */
+  /** Returns the names of the visible files, in order. */
   async function filesOf(page: Page): Promise<string> {
     const names = await page.locator('tbody tr:not([hidden]) th').allTextContents()
     return names.map((name) => name.replace(/^in\/|\.glb$/g, '')).join(' ')
@@ -375,7 +378,7 @@ describe('the results page', () => {
   it('can be sorted and filtered by keyboard', async () => {
     const page = await openAt(1280, 800)
     for (const [i, [name, up, down]] of SORTED.entries()) {
-      // Skips the filter in front of the table.
+      // The first press of Tab reaches the filter in front of the table.
       for (let tabs = i === 0 ? 2 : 1; tabs > 0; tabs--) await page.keyboard.press('Tab')
       expect(await page.evaluate(() => document.activeElement!.textContent)).toBe(name)
       await page.keyboard.press('Enter')
@@ -401,7 +404,7 @@ describe('the results page', () => {
     }
     await order.selectOption({ label: 'failures first' })
     expect(await filesOf(page)).toBe(FIRST)
-    // Focused controls must be visible.
+    // The page keeps a focused control visible, so remove the focus.
     await page.evaluate(() => (document.activeElement as HTMLElement).blur())
     for (const name of ['show', 'order']) {
       await page.keyboard.press('Tab')
@@ -424,7 +427,7 @@ function childrenOf(pid: number): number[] {
 
 function isRunning(pid: number): boolean {
   try {
-    // A zombie process still has an id.
+    // The state Z is a zombie, which has ended but still has an id.
     return !/\) Z /.test(readFileSync(`/proc/${pid}/stat`, 'utf8'))
   } catch {
     return false

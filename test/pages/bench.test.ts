@@ -10,7 +10,7 @@ import { findBrowser } from '../../packages/cli/src/browser.ts'
 const folder = mkdtempSync(join(tmpdir(), 'furrow-bench-'))
 afterAll(() => rmSync(folder, { recursive: true }))
 
-/** Makes Dawn use Chromium's Vulkan loader and software rasteriser. */
+/** Returns environment variables that make Dawn use the Vulkan loader and software rasteriser of Chromium. */
 async function dawnEnvironment(): Promise<NodeJS.ProcessEnv> {
   const candidates = [dirname(realpathSync(await findBrowser())), '/usr/lib/chromium']
   const chromium = candidates.find((path) => existsSync(join(path, 'vk_swiftshader_icd.json')))

@@ -2,7 +2,7 @@ import type { Browser, Page } from 'playwright-core'
 import { afterAll, beforeAll } from 'vitest'
 import { launchBrowser } from '../../packages/cli/src/browser.ts'
 
-/** Timeout for an element or a page, milliseconds: far below the timeout of a test. */
+/** Time limit for an element or a page, milliseconds. Shorter than the time limit of a test, so that the error names the element. */
 const PATIENCE = 120_000
 
 /** Opens the browser for tests of pages. The caller must close it. */

@@ -11,7 +11,7 @@ const require = createRequire(import.meta.url)
 
 let bundles: Promise<Map<string, string>> | undefined
 
-/** Answers the page's requests to esm.sh with the packages of this checkout, since tests do not use the network. */
+/** Answers a page's requests to esm.sh with bundles of the installed packages, because tests do not use the network. */
 export async function answerCdn(page: Page): Promise<void> {
   await page.route(`${ORIGIN}**`, async (route) => {
     bundles ??= bundlePackages()
@@ -26,7 +26,7 @@ export async function answerCdn(page: Page): Promise<void> {
   })
 }
 
-/** Bundles the packages with shared chunks, so that all of them use one React. three.js comes from the page. */
+/** Bundles the packages into shared chunks, so that all use one copy of React. The page provides three.js. */
 async function bundlePackages(): Promise<Map<string, string>> {
   const built = (await build({
     configFile: false,
@@ -40,7 +40,7 @@ async function bundlePackages(): Promise<Map<string, string>> {
           if (!id.startsWith('cdn:')) return null
           const name = id.slice('cdn:'.length)
           if (name.startsWith('@')) return `export * from '${name}'`
-          // A bundler cannot list the names of a CommonJS module.
+          // These packages are CommonJS, whose exports a bundler cannot list, so import the module to list them.
           const names = Object.keys(require(name))
           return `export { ${names.join(', ')} } from '${name}'`
         },

@@ -1,7 +1,7 @@
 import { type Accessor, type Document, Texture } from '@gltf-transform/core'
 import sharp from 'sharp'
 
-/** Cuts a mesh's texture along the middle of the face, x = 0. The halves get separate islands side by side, and the face looks the same. */
+/** Splits the UV layout of a mesh at the middle of the face, x = 0, into two islands side by side. The face looks the same. */
 export async function cutTexture(document: Document, meshName: string): Promise<void> {
   const mesh = document
     .getRoot()
@@ -36,7 +36,7 @@ export async function cutTexture(document: Document, meshName: string): Promise<
   for (const texture of textures) if (texture instanceof Texture) await doubled(texture)
 }
 
-/** Keeps some rows of an accessor, in a given order. */
+/** Rebuilds an accessor from its elements at the given indices. */
 function pick(accessor: Accessor, rows: readonly number[]): void {
   const [size, old] = [accessor.getElementSize(), accessor.getArray()!]
   const picked = new (old.constructor as Float32ArrayConstructor)(size * rows.length)
@@ -44,7 +44,7 @@ function pick(accessor: Accessor, rows: readonly number[]): void {
   accessor.setArray(picked)
 }
 
-/** Puts two copies of an image side by side at the image's size. */
+/** Replaces an image by two copies side by side, without changing the size. */
 async function doubled(texture: Texture): Promise<void> {
   const image = sharp(texture.getImage()!)
   const { width, height, format } = await image.metadata()

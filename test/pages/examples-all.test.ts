@@ -1,4 +1,4 @@
-// Opens the examples that examples.test.ts does not, and checks more of some of them.
+// Opens the examples that examples.test.ts does not open, and tests further features of some examples.
 
 import { expect, test } from 'vitest'
 import { BROWS, EXAMPLES } from './examples.ts'
@@ -11,7 +11,7 @@ const { open, testWrinkles } = useExamples()
 
 for (const example of EXAMPLES) if (!example.quick && !example.test) testWrinkles(example)
 
-test("vrm.html blocks a blink and the blink's wrinkles by another expression", () =>
+test('in vrm.html another expression blocks a blink and its wrinkles', () =>
   open('vrm.html?happy=1&blink=1', async (page) => {
     const both = await readCanvas(page)
     expect(largestDifference(both, await setControls(page, { blink: 0 }), WHOLE)).toBe(0)
@@ -20,7 +20,7 @@ test("vrm.html blocks a blink and the blink's wrinkles by another expression", (
     expect(largestDifference(both, await setControls(page, { happy: 1 }), WHOLE)).toBe(0)
   }))
 
-test('expressions.html?scores moves the face like the same blendshapes', async () => {
+test('expressions.html?scores shows the same face as the blendshapes in the scores', async () => {
   const scored = await open('expressions.html?scores', readCanvas)
   const [rest, played] = await open('expressions.html', async (page) => [
     await readCanvas(page),
@@ -37,9 +37,9 @@ test('normals.html lights the cheeks with the normals of their blendshapes', () 
     const recomputed = await setControls(page, { recomputed: true })
     await savePicture(recomputed, 'normals.html')
     const cheeks = { left: 0.38, top: 0.35, right: 0.62, bottom: 0.6 }
-    // Wrong shading differs by far more than noise and antialiasing.
+    // Normals at rest cause a far larger difference than antialiasing.
     expect(largestDifference(none, recomputed, cheeks)).toBeGreaterThan(40)
-    // The remedies differ by less than a sixth of that: baked normals of two targets are summed, and only recomputing rotates tangents.
+    // Baked normals differ a little from recomputed ones: those of two blendshapes are only added, and tangents do not rotate.
     expect(meanDifference(baked, recomputed, cheeks)).toBeLessThan(
       meanDifference(none, recomputed, cheeks) / 6,
     )
@@ -50,7 +50,7 @@ test('crowd.html shows faces that wrinkle independently', () =>
     const wrinkled = await readCanvas(page)
     await switchWrinkles(page, 'off')
     const smooth = await readNextFrame(page)
-    // At any time four of the six faces wrinkle, in some of the columns.
+    // At any time, four of the six faces wrinkle. These four are in at least two of the four columns.
     const columns = [0, 1, 2, 3].map((i) => ({ left: i / 4, top: 0, right: (i + 1) / 4, bottom: 1 }))
     const changed = columns.filter((column) => largestDifference(wrinkled, smooth, column) > 20)
     expect(changed.length).toBeGreaterThanOrEqual(2)

@@ -1,4 +1,4 @@
-// Tests the example that makes automatic wrinkles, which takes the time of a complete face.
+// Tests the example auto.html, which makes automatic wrinkles for a complete face.
 
 import { afterAll, beforeAll, expect, test } from 'vitest'
 import { openPage, useBrowser } from './browser.ts'
@@ -25,7 +25,7 @@ test('auto.html makes wrinkles while the face is shown, and then removes its pro
   await openPaused(page, `${server.origin}/examples/auto.html`)
   await firstPicture(page)
   await page.locator('progress').waitFor({ state: 'detached', timeout: 0 })
-  // The wrinkles have faded in.
+  // Lets the wrinkles fade in.
   await page.clock.runFor(2 * SECOND)
   const wrinkled = await readNextFrame(page)
   await switchWrinkles(page, 'off')
@@ -36,7 +36,7 @@ test('auto.html makes wrinkles while the face is shown, and then removes its pro
 
 test('auto.html shows the face and its progress bar while it makes wrinkles', async () => {
   const { page, complaints } = await openPage(browser(), { viewport: PHONE })
-  // Delays the wrinkles until the bar is seen, however slowly the page draws.
+  // Delays the wrinkles until the test has seen the progress bar.
   let mayWork = () => {}
   const seen = new Promise<void>((resolve) => {
     mayWork = resolve

@@ -1,4 +1,4 @@
-// Opens three examples, for `npm test`. examples-all.test.ts opens the others.
+// Opens only three examples, to save time in `npm test`. examples-all.test.ts opens the others.
 
 import { expect, test } from 'vitest'
 import { EXAMPLES } from './examples.ts'
@@ -7,6 +7,6 @@ import { useExamples } from './open-example.ts'
 const { testWrinkles } = useExamples()
 const quick = EXAMPLES.filter((example) => example.quick)
 
-test('three examples are opened', () => expect(quick).toHaveLength(3))
+test('the table of examples selects three for this file', () => expect(quick).toHaveLength(3))
 
 for (const example of quick) testWrinkles(example)

@@ -12,30 +12,30 @@ export const CHEEKS: Region = { left: 0.25, top: 0.3, right: 0.75, bottom: 0.7 }
 /** The face in the framing of `portrait.js`, in a window of 4:3. */
 export const FACE: Region = { left: 0.16, top: 0.03, right: 0.84, bottom: 0.71 }
 
-/** Slider values by name; `true` presses a button, a radio button or a checkbox. */
+/** Values of controls by label: a number for a slider, `true` to press a button, radio button or checkbox. */
 export type Controls = Record<string, number | true>
 
-/** An example page and how its wrinkles are seen. */
+/** An example page, and how a test shows and removes its wrinkles. */
 export interface Example {
   /** File name without `.html`. */
   page: string
-  /** Query that shows wrinkles. Default: none, for a page that starts with them or that is surprised 1.5 seconds after it was opened. */
+  /** Query that makes the page show wrinkles. Pages without a query show wrinkles at the start or after 1.5 seconds. */
   query?: string
-  /** Controls that remove the wrinkles. Default: the page has no controls. */
+  /** Values of controls that remove the wrinkles; undefined if the page has no controls. */
   atRest?: Controls
-  /** Rectangle in which wrinkles appear. Left is the person's right. */
+  /** Region of the picture in which wrinkles appear. */
   region: Region
-  /** Query of the gallery's picture. Default: `query`. */
+  /** Query for the picture in the gallery. Default: `query`. */
   picture?: string
-  /** Part of the window that the gallery's picture shows, 4:3. Default: the face in the framing of `portrait.js`. */
+  /** Part of the window that the picture in the gallery shows, 4:3. Default: `FACE`. */
   frame?: Region
-  /** Whether something besides wrinkles moves while the query's pose is held. */
+  /** Whether something besides wrinkles moves after `query` has taken effect. */
   moves?: true
-  /** Whether `npm test` opens the page too. */
+  /** Whether `npm test` opens the page. */
   quick?: true
   /** Whether the page imports packages from esm.sh. */
   cdn?: true
-  /** Test file for a page that the common test cannot check. */
+  /** Separate test file, for a page that the common test cannot check. */
   test?: string
 }
 
@@ -127,6 +127,13 @@ export const EXAMPLES: readonly Example[] = [
   { page: 'pointer', query: '?up=1', picture: '?up=1&across=0.5', atRest: { up: 0 }, region: BROWS },
   { page: 'postprocessing', query: '?bloom=0.25', atRest: { neutral: true }, region: BROWS },
   { page: 'react', cdn: true, atRest: { neutral: true }, region: FOREHEAD },
+  {
+    page: 'react-faces',
+    cdn: true,
+    frame: { left: 0.1, top: 0.2, right: 0.9, bottom: 1 },
+    atRest: { neutral: true },
+    region: WHOLE,
+  },
   { page: 'relief', atRest: { neutral: true }, region: { left: 0.5, top: 0.1, right: 0.72, bottom: 0.35 } },
   { page: 'shader', query: '?hologram=1', atRest: { neutral: true }, region: BROWS, moves: true },
   { page: 'strength', query: '?normals=2', atRest: { neutral: true }, region: BROWS },
@@ -142,6 +149,7 @@ export const EXAMPLES: readonly Example[] = [
   },
   { page: 'toon', query: '?material=MToon', atRest: { neutral: true }, region: BROWS },
   { page: 'tracker', query: '?seconds=2', atRest: { seconds: 0 }, region: BROWS },
+  { page: 'transmission', atRest: { neutral: true }, region: BROWS },
   {
     page: 'vrm',
     query: '?happy=1&blink=1',

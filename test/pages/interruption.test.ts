@@ -9,7 +9,7 @@ import { AUTO_STEPS } from 'furrow/internal'
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
 import { startFurrow } from './run-furrow.ts'
 
-/** Number of interruptions per command; few by default, because some commands are slow. `npm run interrupt` sets both. */
+/** Number of interruptions per command (default: few), and name of the only command to test. `npm run interrupt` sets both. */
 const { FURROW_MOMENTS, FURROW_COMMAND } = process.env
 const MOMENTS = FURROW_MOMENTS === undefined ? undefined : Number(FURROW_MOMENTS)
 
@@ -21,7 +21,7 @@ const root = mkdtempSync(join(tmpdir(), 'interrupted-'))
 const pathOf = (name: string) => join(root, name)
 const AREAS = ['nose', 'glabella'].map((name) => pathOf(`set/areas/${name}.png`))
 
-/** Every command that writes, with its arguments. Outputs go to the folder `new`. */
+/** Arguments of every command that writes files. Outputs go to the folder `new`. */
 const COMMANDS: Record<string, string[]> = {
   array: ['array', ...AREAS, '-o', 'new/areas.ktx2'],
   'array --extract': ['array', pathOf('areas.ktx2'), '--extract', 'new/areas'],
@@ -42,10 +42,10 @@ const COMMANDS: Record<string, string[]> = {
 
 const chosen = Object.entries(COMMANDS).filter(([name]) => name === (FURROW_COMMAND ?? name))
 if (chosen.length === 0) {
-  throw new Error(`no command "${FURROW_COMMAND}" writes, allowed: ${Object.keys(COMMANDS).join(', ')}`)
+  throw new Error(`no command "${FURROW_COMMAND}" writes files, allowed: ${Object.keys(COMMANDS).join(', ')}`)
 }
 
-/** Commands that draw are slow. */
+/** Commands that start a browser, which is slow. */
 const DRAWING = ['auto --report', 'render']
 
 beforeAll(async () => {
@@ -58,7 +58,7 @@ afterAll(() => rmSync(root, { recursive: true, force: true }))
 describe.each(chosen)('furrow %s', (name, args) => {
   const moments = MOMENTS ?? (DRAWING.includes(name) ? 2 : 4)
 
-  it(`leaves all or nothing behind when interrupted at ${moments} moments`, async () => {
+  it(`writes either all outputs or none if interrupted at any of ${moments} moments`, async () => {
     const complete = bench()
     const begin = performance.now()
     await expectSuccess(start(complete, ...args))
@@ -71,7 +71,7 @@ describe.each(chosen)('furrow %s', (name, args) => {
       const child = start(folder, ...args)
       const ended = finish(child)
       const written = watch(join(folder, 'out'), { recursive: true })
-      // The last moment is when the command begins to write.
+      // The last interruption comes when the command begins to write.
       const isLast = moment === moments - 1
       await Promise.race([
         ended,
@@ -84,9 +84,9 @@ describe.each(chosen)('furrow %s', (name, args) => {
   })
 })
 
-/** Steps shown by the bar of `furrow auto --report` before it writes, in order. */
+/** Steps, in order, that the progress bar of `furrow auto --report` names before the command writes files. */
 const STEPS = ['reading', ...AUTO_STEPS, 'encoding', 'report', 'pictures']
-/** Makes the command draw its progress bar, as in a terminal. */
+/** Option of Node that makes the command draw a progress bar as in a terminal. */
 const TERMINAL = '--import=data:text/javascript,process.stderr.isTTY=true'
 
 const hasReport = chosen.some(([name]) => name === 'auto --report')
@@ -115,7 +115,7 @@ interface End {
   signal: NodeJS.Signals | null
 }
 
-/** Creates a folder to run a command in. Outputs go to `out`, temporary files to `tmp`. */
+/** Creates a folder for a run of a command, with subfolders: `out` for its outputs, `tmp` for its temporary files. */
 function bench(): string {
   const folder = mkdtempSync(join(root, 'bench-'))
   for (const name of ['out', 'tmp']) mkdirSync(join(folder, name))
@@ -144,7 +144,7 @@ async function expectSuccess(child: ChildProcess): Promise<void> {
   expect(await finish(child), errors).toEqual({ code: 0, signal: null })
 }
 
-/** Expects all outputs or none, and an exit by the signal. Shells report 128 + the signal's number. */
+/** Expects an end by the signal with all outputs or none, or a successful end with all outputs. */
 async function expectEnd({ code, signal }: End, sent: NodeJS.Signals, folder: string, complete: string[]) {
   if (signal === null) expect(code).toBe(0)
   else expect(signal).toBe(sent)
@@ -155,7 +155,7 @@ async function expectEnd({ code, signal }: End, sent: NodeJS.Signals, folder: st
 
 async function expectNothingElse(folder: string): Promise<void> {
   expect(readdirSync(join(folder, 'tmp'))).toEqual([])
-  // Killed processes take a moment to end.
+  // A killed process ends with a delay.
   await expect.poll(() => processesWith(folder), { timeout: 60_000 }).toEqual([])
 }
 
@@ -163,7 +163,7 @@ function filesOf(folder: string): string[] {
   return readdirSync(join(folder, 'out'), { recursive: true }).map(String).sort()
 }
 
-/** Returns command lines of processes that work in a folder, such as a browser with its profile there. */
+/** Returns the command lines that name a folder, for example the command line of a browser whose profile is in the folder. */
 function processesWith(folder: string): string[] {
   if (process.platform !== 'linux') return []
   return readdirSync('/proc').flatMap((id) => {

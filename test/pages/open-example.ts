@@ -18,20 +18,20 @@ import { contrast, largestDifference, WHOLE } from './pixels.ts'
 import { type CanvasPixels, readCanvas } from './read-canvas.ts'
 import { startStaticServer } from './static-server.ts'
 
-/** Folder for the pictures, for inspection. */
+/** Folder in which developers find pictures of the examples. */
 const OUTPUT = new URL('../output/examples/', import.meta.url)
 
 const PHONE = { width: 390, height: 844 }
 const SIZE = { width: 400, height: 300 }
 
-/** Opens examples for all tests of a file. */
+/** Functions that open examples. */
 export interface ExampleOpener {
   /**
-   * Opens an example and advances it to the moment of surprise. A page with controls must fit a phone. No page may report errors or
-   * warnings.
+   * Opens an example and advances its time until the face looks surprised. Fails if the page reports an error or warning. Also fails if a
+   * page with controls is wider than a phone.
    */
   open<T>(address: string, inspect: (page: Page) => Promise<T>): Promise<T>
-  /** Adds a test of an entry: its region changes if the wrinkles are off or its controls are at rest. */
+  /** Adds a test that the example's region changes when wrinkles are switched off, and when the controls have the values `atRest`. */
   testWrinkles(example: Example): void
 }
 
@@ -54,7 +54,7 @@ export function useExamples(): ExampleOpener {
     })
     page.on('console', (message) => {
       const text = message.text()
-      // Driver performance messages do not come from the page. React Three Fiber 9 uses a clock that three.js has deprecated.
+      // Ignores performance messages of the graphics driver, and the warning of React Three Fiber 9 about a deprecated clock.
       if (message.type() === 'warning' && !/GL Driver Message|THREE\.Clock/.test(text)) complaints.push(text)
     })
     await answerCdn(page)
@@ -81,12 +81,12 @@ export function useExamples(): ExampleOpener {
 function testWrinkles(open: ExampleOpener['open'], example: Example): void {
   const { atRest, region, moves } = example
   const address = addressOf(example)
-  test(`${address} wrinkles${atRest ? ', and its controls smooth it' : ''}`, () =>
+  test(`${address} shows wrinkles${atRest ? ', and its controls remove them' : ''}`, () =>
     open(address, async (page) => {
       const wrinkled = await readCanvas(page)
       await savePicture(wrinkled, address)
       expect(contrast(wrinkled)).toBeGreaterThan(100)
-      // Only wrinkles change between frames.
+      // While nothing moves, the next frame is equal.
       if (atRest && !moves) expect(largestDifference(wrinkled, await readNextFrame(page), WHOLE)).toBe(0)
       await switchWrinkles(page, 'off')
       expect(largestDifference(wrinkled, await readNextFrame(page), region)).toBeGreaterThan(20)
@@ -107,7 +107,6 @@ export async function setControls(page: Page, controls: Controls): Promise<Canva
   return readNextFrame(page)
 }
 
-/** Saves the picture of an example for inspection. */
 export async function savePicture({ width, height, data }: CanvasPixels, address: string): Promise<void> {
   const file = new URL(`${address.replace('.html', '').replace(/[?&]/g, '-')}.png`, OUTPUT).pathname
   await sharp(data, { raw: { width, height, channels: 3 } }).toFile(file)

@@ -1,4 +1,4 @@
-/** The studio in a browser, for tests of its page. */
+/** Serves the studio and opens it in a browser, for tests of its page. */
 
 import { mkdtempSync, rmSync } from 'node:fs'
 import { tmpdir } from 'node:os'
@@ -19,7 +19,7 @@ export async function serveStudio(
     configFile: fileURLToPath(new URL('../../studio/vite.config.ts', import.meta.url)),
     logLevel: 'error',
     plugins,
-    // Changed files must not reload the page during the test.
+    // Without this, a changed source file would reload the page during a test.
     server: { port: 0, host: '127.0.0.1', hmr: false, watch: null },
   })
   await server.listen()
@@ -30,15 +30,15 @@ export async function serveStudio(
 interface OpenedStudio {
   page: Page
   complaints: string[]
-  /** Holds the requested avatars. */
+  /** Temporary folder with the avatars that `write` has made. */
   folder: string
 }
 
 /**
- * Opens the studio for all tests of a file, which must not cause errors.
+ * Opens the studio for all tests of a file. Each test fails if the page has reported errors.
  *
- * @param write writes the avatars of the tests.
- * @returns objects that are set when the tests begin.
+ * @param write writes avatars for the tests into a folder.
+ * @returns an object whose fields are set when the tests begin.
  */
 export function openStudio(
   viewport: { width: number; height: number },

@@ -4,40 +4,41 @@ import { type CanvasPixels, makeCanvasReadable, readCanvas } from './read-canvas
 
 export const SECOND = 1000
 
-/** Milliseconds until each example's face looks surprised, and for which it stays surprised. */
+/** Milliseconds after which the face of an example looks surprised. The surprised look lasts equally long. */
 const SURPRISE_DELAY = 1.5 * SECOND
 
-/** Opens a page with its time paused. The canvas exists, and nothing is drawn yet. */
+/** Opens a page whose clock is paused. Returns when the canvas exists, before anything is drawn. */
 export async function openPaused(page: Page, url: string): Promise<void> {
   await makeCanvasReadable(page)
   await page.clock.install({ time: 0 })
   await page.clock.pauseAt(SECOND)
   await page.goto(url)
-  // The page adds its canvas after loading.
+  // The page adds its canvas after the load event.
   await page.waitForSelector('canvas')
 }
 
-/** Resizes a page and waits for its resize event. A frame of another size could split meshes for relief, which stay split for a while. */
+/** Resizes a page and waits for the event. Otherwise, a frame at the old size could start relief, and relief would stay on. */
 export async function resize(page: Page, size: { width: number; height: number }): Promise<void> {
   await page.evaluate(() => {
     const heard = new Promise((resolve) => addEventListener('resize', resolve, { once: true }))
-    // Awaited later.
+    // Stores a function, because `evaluate` would await a promise.
     Object.assign(window, { heard: () => heard })
   })
   await page.setViewportSize(size)
   await page.evaluate('window.heard()')
 }
 
-/** Advances a paused example to the moment of surprise. */
+/** Advances a paused example until its face looks surprised. */
 export async function playSurprise(page: Page): Promise<void> {
   await firstPicture(page)
-  // Two steps with one frame each: start and end of the transition.
+  // Each step draws one frame: one at the start of the transition to the expression, one after its end.
   await page.clock.fastForward(SURPRISE_DELAY + SECOND / 10)
   await page.clock.fastForward(SECOND / 2)
 }
 
 /**
- * Draws a page in its final state: with relief, after meshes were split, and with delayed blood. Modules come from the page's import map.
+ * Advances a page until relief is ready and blood no longer changes. Blood follows the face with a delay. Imports modules with the import
+ * map of the page.
  */
 export async function drawSettled(page: Page): Promise<void> {
   const library = await libraryOf(page)
@@ -62,7 +63,7 @@ export async function drawSettled(page: Page): Promise<void> {
   await page.clock.runFor(SECOND / 30)
 }
 
-/** Switches the wrinkles of all meshes off or on from the next frame on. Modules come from the page's import map. */
+/** Switches the wrinkles of all meshes off or on. The next frame shows the change. Imports modules with the import map of the page. */
 export async function switchWrinkles(page: Page, mode: 'off' | 'default'): Promise<void> {
   const library = await libraryOf(page)
   if (library === 'furrow/babylon') {
@@ -82,27 +83,27 @@ export async function switchWrinkles(page: Page, mode: 'off' | 'default'): Promi
     })`)
 }
 
-/** Finds the entry point for the page's renderer in its import map. */
+/** Returns the entry point of `furrow` that the page uses, as named in its import map. */
 async function libraryOf(page: Page): Promise<string> {
   const imports = await page.locator('script[type=importmap]').textContent()
   return ['furrow/three', 'furrow/babylon'].find((name) => imports!.includes(name)) ?? 'furrow/webgpu'
 }
 
-/** Reads the frame after next, which shows changes made before the next one. */
+/** Draws two frames and reads the second, which shows changes that the first one applies. */
 export async function readNextFrame(page: Page): Promise<CanvasPixels> {
   await page.clock.runFor(SECOND / 30)
   return readCanvas(page)
 }
 
-/** Contrast above which a picture shows a face: a plain background has less. */
+/** Contrast above which a picture shows a face. A background alone has less. */
 const FACE_CONTRAST = 50
 
-/** Advances the page's paused time until the face is drawn, so that every run draws the same picture. */
+/** Advances the page's clock until the face is drawn, so that every run draws the same picture. */
 export async function firstPicture(page: Page): Promise<void> {
   for (;;) {
     await page.clock.runFor(SECOND / 60)
     if (contrast(await readCanvas(page)) > FACE_CONTRAST) return
-    // Waits in real time while the renderer starts.
+    // The renderer starts in real time, not in the time of the page's clock.
     await page.waitForTimeout(SECOND / 4)
   }
 }

@@ -1,6 +1,6 @@
 import type { CanvasPixels } from './read-canvas.ts'
 
-/** Rectangle of a picture in fractions of width and height, from the top left. */
+/** Rectangle of a picture, in fractions of its width and height from the top left. */
 export interface Region {
   left: number
   top: number
@@ -8,10 +8,9 @@ export interface Region {
   bottom: number
 }
 
-/** Complete picture. */
 export const WHOLE: Region = { left: 0, top: 0, right: 1, bottom: 1 }
 
-/** Forehead of the shipped face from the front, and a region without wrinkles. */
+/** Forehead of the shipped face in the view `front`, and its chin, which has no wrinkles. */
 export const FOREHEAD: Region = { left: 0.42, top: 0.18, right: 0.58, bottom: 0.34 }
 export const CHIN: Region = { left: 0.42, top: 0.62, right: 0.58, bottom: 0.74 }
 

@@ -8,7 +8,7 @@ export interface CanvasPixels {
   data: Uint8Array
 }
 
-// TypeScript has the types of WebGPU, but not its constants.
+// Declares WebGPU constants, which TypeScript's own types lack.
 declare const GPUTextureUsage: Record<'RENDER_ATTACHMENT' | 'COPY_SRC', number>
 declare const GPUBufferUsage: Record<'COPY_DST' | 'MAP_READ', number>
 declare const GPUMapMode: Record<'READ', number>
@@ -20,7 +20,7 @@ declare global {
 }
 
 /**
- * Makes the canvas of a page readable at any time. Call before navigation. WebGPU then draws into a separate texture, because headless
+ * Makes the canvas of a page readable at any time. Call before navigation. WebGPU draws into a separate texture, because headless
  * Chromium without a GPU loses the device when it presents a canvas.
  */
 export async function makeCanvasReadable(page: Page): Promise<void> {

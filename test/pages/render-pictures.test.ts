@@ -16,7 +16,7 @@ import { type CommandResult, renderPictures, runFurrow } from './run-furrow.ts'
 const ROOT = fileURLToPath(new URL('../../', import.meta.url))
 const FACE = join(ROOT, 'faces/human.glb')
 
-/** Cheeks and mouth. */
+/** Region of the cheeks and the mouth. */
 const FOLDS: Region = { left: 0.35, top: 0.45, right: 0.65, bottom: 0.65 }
 
 let folder: string
@@ -27,17 +27,17 @@ beforeAll(async () => {
 
 afterAll(() => rm(folder, { recursive: true, force: true }))
 
-/** Options of the compared pictures. Relief takes seconds to prepare, and is tested with a set. */
+/** Options of most pictures. Relief takes seconds to prepare, so only some pictures have it. */
 const FLAT = { width: 200, height: 152, relief: 'off' } as const
 const SURPRISED = { ...FLAT, expression: 'surprised' } as const
-/** Size at which a millimetre exceeds a pixel. */
+/** Size at which a millimetre of skin is wider than a pixel. */
 const NEAR = { width: 480, height: 360 }
 const HAPPY = { ...FLAT, expression: 'happy' } as const
 
-/** Raised brows, which the file's drivers read. */
+/** Options that raise the brows. Drivers in the file read `browInnerUp`. */
 const RAISED = { ...FLAT, targets: { browInnerUp: 1 } }
 
-/** Options that the other requests leave unset. */
+/** Options that only one request sets. Later requests must not keep them. */
 const ANGRY: Partial<PictureRequest> = {
   mode: 'composed',
   view: 'close',
@@ -47,7 +47,7 @@ const ANGRY: Partial<PictureRequest> = {
 }
 
 describe('pictures of furrow render', () => {
-  /** Pictures in order of faces, because opening another face takes most of the time. */
+  /** Pictures by name. Requests with the same face follow each other, because opening another face takes most of the time. */
   const drawn = new Map<string, Picture>()
 
   beforeAll(async () => {
@@ -105,9 +105,9 @@ describe('pictures of furrow render', () => {
   })
 
   test.each([
-    ['webgl', 'KTX 2 arrays and Draco'],
-    ['webgpu', 'KTX 2 arrays'],
-  ])('show on %s a face with %s like one with PNG images', (renderer, form) => {
+    ['KTX 2 arrays and Draco', 'webgl'],
+    ['KTX 2 arrays', 'webgpu'],
+  ])('look the same with %s as with PNG images (%s)', (form, renderer) => {
     const [plain, smooth] = [opaque(`${renderer} images`), opaque(`${renderer} off`)]
     const compressed = drawn.get(`${renderer} ${form}`)!
     expect(compressed.warnings).toEqual([])
@@ -115,14 +115,14 @@ describe('pictures of furrow render', () => {
     expect(difference).toBeLessThan(meanDifference(plain, smooth, FOREHEAD) / 3)
   })
 
-  test('show a face without wrinkles as if they were off, and report it', () => {
+  test('show a face without wrinkles like a face with wrinkles off, and report that it has none', () => {
     expect(drawn.get('webgl plain')!.warnings).toEqual([
       expect.stringMatching(/plain\.vrm has no wrinkles; add them with furrow auto$/),
     ])
     expect(largestDifference(opaque('webgl plain'), opaque('webgl off'), WHOLE)).toBeLessThanOrEqual(2)
   })
 
-  test('show a wrinkle set with all its maps, driven by its drivers if an expression needs other areas', () => {
+  test('show all maps of a wrinkle set', () => {
     expect(drawn.get('webgl set')!.warnings).toEqual([])
     const [left, right] = [
       { ...FOREHEAD, left: 0.51 },
@@ -135,12 +135,12 @@ describe('pictures of furrow render', () => {
     expect(differences[1]).toBeLessThan(differences[0] / 2)
   })
 
-  test('show the state after delays', () => {
+  test('show delayed wrinkles in their final state', () => {
     expect(opaque('webgl delayed')).toEqual(opaque('webgl driven'))
     expect(largestDifference(opaque('webgl driven'), opaque('webgl off'), FOREHEAD)).toBeGreaterThan(20)
   })
 
-  test("show the face's age in an expression as at rest", () => {
+  test('show the wrinkles of age both at rest and in an expression', () => {
     expect(opaque('webgl aged neutral')).toEqual(opaque('webgl aged'))
     expect(
       largestDifference(opaque('webgl aged neutral'), opaque('webgl aged off'), FOREHEAD),
@@ -151,12 +151,12 @@ describe('pictures of furrow render', () => {
     expect(opaque('webgl text')).toEqual(opaque('webgl images'))
   })
 
-  test('do not depend on what the page drew before', () => {
+  test('do not depend on earlier pictures', () => {
     expect(drawn.get('webgl angry')!.pixels.length).toBe(4 * 96 * 96)
     expect(opaque('webgl again')).toEqual(opaque('webgl images'))
   })
 
-  test("show an expression's existing areas if the face has no drivers", () => {
+  test('show the areas of an expression that the face has, even if the face has no drivers', () => {
     const { warnings } = drawn.get('webgl bare')!
     expect(warnings).toEqual([expect.stringContaining('underEyeLeft, underEyeRight')])
     expect(largestDifference(opaque('webgl bare'), opaque('webgl bare off'), FOLDS)).toBeGreaterThan(20)
@@ -165,17 +165,17 @@ describe('pictures of furrow render', () => {
   test('show a surface moved by the heights of a set if relief is on', () => {
     const [flat, raised] = [opaque('webgl set'), opaque('webgl relief')]
     expect(drawn.get('webgl relief')!.warnings).toEqual([])
-    // Pictures of one scene are equal bit for bit.
+    // The set has no heights on the chin, so relief changes no byte there.
     expect(largestDifference(raised, flat, FOREHEAD)).toBeGreaterThan(3)
     expect(largestDifference(raised, flat, CHIN)).toBe(0)
   })
 
-  test('show relief by size on screen by default', () => {
+  test('show relief depending on the size on screen by default', () => {
     expect(opaque('webgl relief by size')).toEqual(opaque('webgl set'))
     expect(drawn.get('webgl near')!.pixels).not.toEqual(drawn.get('webgl near flat')!.pixels)
   })
 
-  test('have no seam if larger than one tile', async () => {
+  test('have no seams if drawn in several tiles', async () => {
     const { data, width, height } = opaque('webgl large')
     const large = sharp(data, { raw: { width, height, channels: 3 } })
     const reduced = await large.resize(1056, 48, { kernel: 'linear' }).raw().toBuffer()
@@ -184,14 +184,14 @@ describe('pictures of furrow render', () => {
     expect(mean).toBeLessThan(1)
   })
 
-  /** Returns a picture without alpha. */
+  /** Returns a picture by name, without alpha. */
   function opaque(name: string): CanvasPixels {
     const { width, height, pixels } = drawn.get(name)!
     return { width, height, data: pixels.filter((_, i) => i % 4 < 3) }
   }
 })
 
-/** Writes a set for the left half of the human's forehead: one blendshape, a second map and heights. */
+/** Writes a wrinkle set with one area on the left half of the forehead, driven by one blendshape, with occlusion and heights. */
 async function writeSet(): Promise<string> {
   const own = join(folder, 'set')
   await cp(join(ROOT, 'faces/human'), own, { recursive: true })
@@ -238,7 +238,7 @@ async function writeGltf(glb: string): Promise<string> {
   return join(folder, 'text.gltf')
 }
 
-/** Removes the drivers and the areas under the eyes, like an early version. */
+/** Removes all drivers, and the areas under the eyes. */
 function strip(json: { materials: { extensions?: { FURROW_wrinkle_maps?: WrinkleMapsJson } }[] }): void {
   for (const { extensions } of json.materials) {
     const wrinkled = extensions?.FURROW_wrinkle_maps
@@ -248,7 +248,7 @@ function strip(json: { materials: { extensions?: { FURROW_wrinkle_maps?: Wrinkle
   }
 }
 
-/** Makes the forehead of a face look old at rest. */
+/** Adds drivers with an initial age of 70. They show wrinkles on the forehead of a face at rest. */
 function age(json: { materials: { extensions?: { FURROW_wrinkle_maps?: WrinkleMapsJson } }[] }): void {
   const curve = [
     [20, 0],
@@ -259,7 +259,7 @@ function age(json: { materials: { extensions?: { FURROW_wrinkle_maps?: WrinkleMa
       extensions?.FURROW_wrinkle_maps?.drivers?.push({ type: 'age', area, curve, initial: 70 })
 }
 
-/** Makes all areas take a minute to crease. */
+/** Adds drivers that activate every area with a delay of a minute. */
 function delay(json: { materials: { extensions?: { FURROW_wrinkle_maps?: WrinkleMapsJson } }[] }): void {
   for (const { extensions } of json.materials) {
     const wrinkled = extensions?.FURROW_wrinkle_maps

@@ -13,7 +13,7 @@ const FACE = fileURLToPath(new URL('../fixtures/files-2026-11/drawn.glb', import
 
 const SIZE = { width: 96, height: 96, relief: 'off' } as const
 
-/** Colours that only three-vrm draws. */
+/** Colours set in VRM materials, which only three-vrm reads. */
 const GREEN = [0, 1, 0, 1]
 
 const AVATARS: Record<string, (glb: Uint8Array) => Uint8Array> = {
@@ -100,7 +100,7 @@ function greenPixels({ pixels }: Picture): number {
   return count
 }
 
-/** Counts the differing pixels, because pictures of one scene are equal bit for bit. */
+/** Counts the pixels that differ in any bit. */
 function changedPixels({ pixels }: Picture, { pixels: others }: Picture): number {
   let count = 0
   for (let i = 0; i < pixels.length; i += 4) if (pixels[i] !== others[i]) count++

@@ -25,7 +25,7 @@ beforeEach(async () => {
 
 afterAll(() => rm(folder, { recursive: true, force: true }))
 
-/** Options of the compared pictures. Relief takes seconds to prepare, and has its own tests. */
+/** Options of all pictures. Other tests draw relief, which takes seconds to prepare. */
 const SMALL = ['--size', '200x152', '--relief', 'off']
 
 describe('furrow render', () => {
@@ -59,7 +59,7 @@ describe('furrow render', () => {
 })
 
 describe('furrow render refuses', () => {
-  test('an output over an image of its wrinkles', async () => {
+  test('to overwrite an image of its wrinkles', async () => {
     const file = join(out, 'map.png')
     const image = await sharp({ create: { width: 4, height: 4, channels: 3, background: 'gray' } })
       .png()
@@ -74,7 +74,7 @@ describe('furrow render refuses', () => {
     expect(await readFile(file)).toEqual(image)
   })
 
-  // Checks how the program reports errors. Tests of other commands check the errors.
+  // Checks how the program reports errors. Unit tests check all errors.
   test.each<[string, string[], RegExp]>([
     ['a missing face', ['missing.glb'], /cannot read the face missing\.glb/],
     ['wrinkles of no set', [FACE, '--wrinkles', 'no-set.json'], /no-set\.json: layers must be an array/],
@@ -87,7 +87,7 @@ describe('furrow render refuses', () => {
     expect(await listing(folder)).toEqual(before)
   })
 
-  test('a missing output', async () => expectRefusal(await furrow('render', FACE), /-o, --output/))
+  test('to run without an output', async () => expectRefusal(await furrow('render', FACE), /-o, --output/))
 
   test('a truncated image of the set', async () => {
     const png = await sharp({ create: { width: 64, height: 64, channels: 3, background: '#8080ff' } })

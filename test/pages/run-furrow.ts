@@ -1,13 +1,13 @@
 import { spawn } from 'node:child_process'
 import { fileURLToPath } from 'node:url'
 
-/** Built command. */
+/** Path of the built command. */
 export const BIN = fileURLToPath(new URL('../../packages/cli/bin/furrow.js', import.meta.url))
 
-// Built module, because its page is built too.
+// Uses the built module, because the page that it opens is built too.
 const RENDER_MODULE = '../../packages/cli/dist/render/render-pictures.js'
 
-/** Function that draws for `furrow render`. */
+/** The function that `furrow render` calls. */
 export const { renderPictures }: typeof import('../../packages/cli/src/render/render-pictures.ts') =
   await import(RENDER_MODULE)
 

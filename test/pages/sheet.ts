@@ -1,6 +1,6 @@
 import { Document, NodeIO } from '@gltf-transform/core'
 
-/** Makes a .glb of a flat sheet, which is no face, with 2 x side x side triangles and one blendshape. */
+/** Makes a .glb of a flat sheet with one blendshape and `2 * side * side` triangles. */
 export async function sheet(side: number): Promise<Uint8Array> {
   const document = new Document()
   const buffer = document.createBuffer()

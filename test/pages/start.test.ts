@@ -9,7 +9,7 @@ const EXAMPLES = readdirSync(`${ROOT}examples`).filter((name) => name.endsWith('
 let server: ViteDevServer
 let origin: string
 
-/** Serves the studio like `npm start`. */
+/** Serves the studio and examples like `npm start`. */
 beforeAll(async () => {
   const configFile = `${ROOT}studio/vite.config.ts`
   server = await createServer({ configFile, logLevel: 'silent', server: { host: '127.0.0.1', port: 0 } })

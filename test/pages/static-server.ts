@@ -26,7 +26,7 @@ export async function startStaticServer(
 ): Promise<{ origin: string; close(): void }> {
   const server = createServer((request, response) => {
     const file = join(root, decodeURIComponent(new URL(request.url ?? '/', 'http://localhost').pathname))
-    // Browsers always request an icon.
+    // Browsers request an icon of every site.
     if (file.endsWith('favicon.ico')) return response.writeHead(204).end()
     if (!existsSync(file) || !statSync(file).isFile()) return response.writeHead(404).end()
     response.writeHead(200, { 'content-type': TYPES[extname(file)] ?? 'application/octet-stream' })

@@ -1,4 +1,4 @@
-/** axe-core finds no violation on the studio's page in any of its main states, light or dark, in a window or on a phone. */
+/** Checks the main states of the studio with axe-core for violations of accessibility rules: light and dark, on desktop and phone. */
 
 import { readFileSync } from 'node:fs'
 import { createRequire } from 'node:module'
@@ -15,11 +15,11 @@ const PHONE = { width: 390, height: 844 }
 
 const RULES = {
   runOnly: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-practice'],
-  // Disabled by default.
+  // axe-core disables this rule by default.
   rules: { 'target-size': { enabled: true } },
   resultTypes: ['violations'],
 }
-/** Rules that depend on the colour scheme. */
+/** Options that run only the rule that depends on the colour scheme. */
 const OF_COLOURS = { runOnly: ['color-contrast'], resultTypes: ['violations'] }
 
 const studio = openStudio(WINDOW)
@@ -30,7 +30,7 @@ beforeAll(async () => {
   await page.evaluate(AXE)
 })
 
-/** Lists violated rules with the violating elements. */
+/** Lists violated rules, each with the elements that violate it. */
 async function violations(rules: object): Promise<string[]> {
   const results = await page.evaluate(
     (options) => (globalThis as unknown as { axe: { run: Run } }).axe.run(document, options),
@@ -75,7 +75,7 @@ test('no violation with an avatar whose wrinkles are made', async () => {
   await page.locator('#areas .row').first().waitFor()
   await page.getByText('Making wrinkles').waitFor({ state: 'detached' })
   await unfoldAll()
-  // Unfolding the section starts recognising shapes.
+  // The studio recognises blendshapes once the section is unfolded.
   await page.locator('.shape').first().waitFor()
   await expectNone()
 })
@@ -140,7 +140,7 @@ test('no violation with the list of shortcuts', async () => {
   await button('Close').last().click()
 })
 
-test('no violation with recent work', async () => {
+test('no violation with the list of recent projects', async () => {
   await page.reload()
   await page.getByRole('heading', { name: 'Recent work' }).click()
   await page.evaluate(AXE)

@@ -1,4 +1,4 @@
-/** Invalid files and failing disks: the page reports them in one line, and work continues. */
+/** Tests that the studio reports invalid files and a full disk in one line, and that work continues. */
 
 import { closeSync, openSync, readFileSync, truncateSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
@@ -43,7 +43,7 @@ beforeAll(async () => {
   closeSync(openSync(at('empty.glb'), 'w'))
 })
 
-// Runs first, because Chromium applies another quota only before anything is stored.
+// Runs first, because Chromium applies a changed quota only while nothing is stored.
 test('a full disk keeps the work in memory, and saves it once there is room', async () => {
   const session = await page.context().newCDPSession(page)
   const { origin } = new URL(page.url())

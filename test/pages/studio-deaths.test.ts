@@ -1,4 +1,4 @@
-/** Lost graphics in the middle of a stroke, and workers that end during their work. No work is lost. */
+/** Tests that no work is lost when the WebGL context is lost during a stroke, or when a web worker ends during its task. */
 
 import type { Page } from 'playwright-core'
 import { beforeAll, expect, test } from 'vitest'
@@ -18,13 +18,13 @@ import {
 } from './studio-page.ts'
 
 const AREA = 'foreheadInnerLeft'
-/** Largest mean difference of two pictures of the same work, 0..255. */
+/** Maximum mean difference of two pictures of the same state, 0..255. */
 const SAME = 0.01
 const SOON = { timeout: 60_000 }
 
-/** Functions that the page has for these tests. */
+/** Members that these tests add to the page's window. */
 interface Ending {
-  /** Ends all workers with this name without an event, as a browser does when memory runs out. Returns their number. */
+  /** Ends all workers with this name and sends no event, like a browser that is out of memory. Returns the number of workers. */
   endWorker(name: string): number
   /** Ends the next worker with this name as soon as it starts. */
   endNextWorker(name: string): void
@@ -59,7 +59,7 @@ beforeAll(async () => {
           workers.set(this, String(url))
           if (next === null || !String(url).includes(next)) return
           next = null
-          // The first message proves that the worker runs.
+          // The first message shows that the worker has started.
           this.addEventListener('message', () => this.terminate(), { once: true })
         }
         override terminate() {
@@ -85,12 +85,12 @@ async function loseGraphics(): Promise<void> {
     window.lost = canvas.getContext('webgl2')!.getExtension('WEBGL_lose_context')!
     window.lost.loseContext()
   })
-  await note('The graphics were lost and come back by themselves; the work is kept')
+  await note('The graphics device was lost and is being restored; your work is kept')
 }
 
 const restoreGraphics = () => page.evaluate(() => window.lost.restoreContext())
 
-/** Drags over the forehead, and calls `inTheMiddle` with the button down. */
+/** Drags over the forehead. Calls `inTheMiddle` halfway, with the button down. */
 async function stroke(inTheMiddle: () => Promise<void> = async () => {}): Promise<void> {
   const { x, y, width, height } = (await page.locator('#viewport').boundingBox())!
   const at = (u: number) => [x + u * width, y + 0.27 * height] as const
@@ -102,7 +102,7 @@ async function stroke(inTheMiddle: () => Promise<void> = async () => {}): Promis
   await page.mouse.up()
 }
 
-/** Returns the stage once it is still. Relief and blood follow an expression with a delay. */
+/** Returns a picture of the stage once it no longer changes. Relief and blood follow an expression with a delay. */
 async function settled(): Promise<Buffer> {
   for (let last = await shootAside(page); ; ) {
     await page.waitForTimeout(500)
@@ -112,7 +112,7 @@ async function settled(): Promise<Buffer> {
   }
 }
 
-/** Makes the same stroke with and without losing the graphics, and expects equal results. */
+/** Makes the same stroke with and without a lost WebGL context, and expects equal pictures. */
 async function expectSameStroke(label: string): Promise<void> {
   const before = await settled()
   await stroke()
@@ -133,18 +133,18 @@ async function expectSameStroke(label: string): Promise<void> {
   await button(page, 'Undo').click()
 }
 
-test('a brush stroke is complete if the graphics are lost during it, and so is the next one', async () => {
+test('a brush stroke and the next one are complete if the graphics are lost during the first stroke', async () => {
   await areaChoice(page, 'chin').check()
   await button(page, 'Paint').click()
   await expectSameStroke('Paint chin')
   await button(page, 'Paint').click()
 })
 
-test('a line is complete if the graphics are lost while drawing it, and so is the next one', async () => {
+test('a line and the next one are complete if the graphics are lost while drawing the first line', async () => {
   const pointer = page.getByRole('group', { name: 'Pointer' })
   const neutral = await shootAside(page)
   await page.getByRole('button', { name: 'Surprised' }).click()
-  // Drawn in a later frame.
+  // Waits for a frame in which the face looks surprised.
   await expect
     .poll(async () => meanPngDifference(neutral, await shootAside(page)), SOON)
     .toBeGreaterThan(50 * SAME)

@@ -1,4 +1,4 @@
-/** Drivers of an area: recorded from a pose, shaped by curves, separated by conflicts. */
+/** Tests how an artist edits the drivers of an area: recording a pose, editing curves, adding conflicting blendshapes. */
 
 import type { Locator, Page } from 'playwright-core'
 import { beforeAll, expect, test } from 'vitest'
@@ -24,7 +24,7 @@ const undo = () => page.getByRole('button', { name: 'Undo' }).click()
 const redo = () => page.getByRole('button', { name: 'Redo' }).click()
 const cards = () => page.locator('.driver')
 const lastCard = () => cards().last()
-/** Returns a point of the last driver's curve. */
+/** Returns a point of the curve of the last driver. */
 const point = (name: string) => lastCard().getByRole('slider', { name })
 const activationShown = async () => Number(await lip().inputValue())
 
@@ -133,7 +133,7 @@ test('the reasons shown for the area under the mouse follow the face', async () 
   await page.locator('#areas label', { hasText: 'lowerLip' }).hover()
   await page.locator('.explanation', { hasText: '1.00 of lowerLip' }).waitFor()
   for (const name of ['browInnerUp', 'jawOpen']) {
-    // Not focused: focusing would scroll the area away from the mouse.
+    // Sets the value without focus, because focus would scroll the area away from the mouse.
     await slider(page, name).evaluate((input: HTMLInputElement) => {
       input.value = '0'
       input.dispatchEvent(new Event('input', { bubbles: true }))

@@ -1,4 +1,4 @@
-/** The studio with a face, switched to WebGPU and back. `studio.test.ts` checks the same on WebGL. */
+/** Tests the studio on WebGPU, and switching back to WebGL. `studio.test.ts` makes the same checks on WebGL. */
 
 import { expect, test } from 'vitest'
 import { openStudio } from './opened-studio.ts'

@@ -1,11 +1,11 @@
-/** Checks of the studio with the shipped face, for either renderer. */
+/** Checks that tests on WebGL and on WebGPU share: they use the studio with the shipped face. */
 
 import type { Page } from 'playwright-core'
 import sharp from 'sharp'
 import { expect } from 'vitest'
 import { brightnessDeviation, expectValue, meanPngDifference, shootStage, slider } from './studio-page.ts'
 
-/** Expects a different picture for each look, and the first picture again after them. */
+/** Expects a different picture for each look of the skin, and the first picture again at the end. */
 export async function showsLooks(page: Page, backend: string): Promise<void> {
   expect(await page.textContent('#backend')).toBe(backend)
   expect(await page.textContent('#adapter')).not.toBe('')
@@ -24,7 +24,7 @@ export async function showsLooks(page: Page, backend: string): Promise<void> {
   expect(await meanPngDifference(shaded, await shootStage(page)), 'shaded again').toBe(0)
 }
 
-/** Expects expressions and sliders to move the face, and the areas to follow. */
+/** Expects that expressions and sliders move the face, and that drivers activate the areas. */
 export async function movesFace(page: Page): Promise<void> {
   await page.getByRole('button', { name: 'Surprised' }).click()
   const surprised = await shootStage(page)
@@ -41,7 +41,7 @@ export async function movesFace(page: Page): Promise<void> {
   await filter.fill('jawOpen')
   await slider(page, 'jawOpen').fill('0.6')
   expect(await meanPngDifference(creased, await shootStage(page))).toBeGreaterThan(0.2)
-  // Areas follow only the blendshapes that drive them: here 0.8 of one, by a curve from 0.15 to 1.
+  // One blendshape at 0.8 drives the area, through a linear curve from 0.15 to 1.
   await filter.fill('browOuterUpRight')
   await slider(page, 'browOuterUpRight').fill('1')
   await expectValue(slider(page, 'foreheadRight'), (0.8 - 0.15) / 0.85)
@@ -55,7 +55,7 @@ export async function movesFace(page: Page): Promise<void> {
   expect(await meanPngDifference(surprised, await shootStage(page)), 'surprised again').toBe(0)
 }
 
-/** Expects the saved picture to equal the shown one. */
+/** Expects that the saved picture equals the stage. */
 export async function savesPicture(page: Page): Promise<void> {
   const [download] = await Promise.all([
     page.waitForEvent('download'),

@@ -10,7 +10,7 @@ test('avatars in other formats are shown when dropped, framed at the face', asyn
   const human = await shootPlainHuman(page)
   const dropped = [
     ['draco.glb', 'Draco'],
-    // A .gltf in a folder with its textures.
+    // A folder that contains a .gltf and its textures.
     ['separate', 'Avatar'],
   ]
   for (const [path, name] of dropped) {

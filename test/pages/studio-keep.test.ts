@@ -1,4 +1,4 @@
-/** Keeping work: projects as files and folders, links, and the page without a network. */
+/** Tests saving projects as files and folders, links that contain the state, two tabs, and the page without a network. */
 
 import { execFileSync } from 'node:child_process'
 import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
@@ -58,7 +58,7 @@ async function download(name: string | RegExp): Promise<Download> {
   return file
 }
 
-/** Packs a folder of the workshop with `furrow pack`. */
+/** Packs a subfolder of the temporary folder with `furrow pack`. */
 async function pack(name: string): Promise<Buffer> {
   await shop.run('pack', shop.path(name), '-o', shop.path(`${name}.glb`))
   return readFileSync(shop.path(`${name}.glb`))
@@ -66,7 +66,7 @@ async function pack(name: string): Promise<Buffer> {
 
 let names: string[]
 
-test('a project is saved as a .zip that furrow pack packs to the bytes of the export', async () => {
+test('a project is saved as a .zip, from which furrow pack makes the same bytes as the export', async () => {
   await dropPaths(page, [join(folder, 'plain.glb')], 'Plain')
   await page.locator('#areas .row').first().waitFor()
   await waitForWrinkles()
@@ -95,20 +95,20 @@ test.each(['plain.zip', 'plain'])('%s opens with the same work', async (path) =>
   const again = unzipSync(readFileSync(await (await download('Save project (.zip)')).path()))
   const before = unzipSync(readFileSync(join(folder, 'plain.zip')))
   expect(Object.keys(again)).toEqual(Object.keys(before))
-  // Maps are redrawn from the strokes alone.
+  // Leaves out maps, which the studio draws again from the strokes.
   const kept = Object.keys(before).filter((name) => !name.startsWith('plain/layers/'))
   const contentOf = (bytes: Uint8Array, name: string) =>
     name.endsWith('.json') ? JSON.parse(strFromU8(bytes)) : Buffer.from(bytes).toString('base64')
   for (const name of kept) {
-    // Fields may be in another order.
+    // The fields of a JSON file may have another order.
     const isSame = isDeepStrictEqual(contentOf(again[name], name), contentOf(before[name], name))
     expect(isSame, name).toBe(true)
   }
   expect(await errors()).toBe('')
 })
 
-test('a project is saved to a folder, and again with one click, on the next day too', async () => {
-  // The browser's private folder replaces one on disk, because tests cannot use the file dialog.
+test('a project is saved to a folder, and again with one click after a reload', async () => {
+  // Tests cannot use the dialog that picks a folder. The replacement returns a folder of the browser's private file system.
   await context.addInitScript(() => {
     Object.assign(globalThis, {
       showDirectoryPicker: async () =>
@@ -173,14 +173,14 @@ function readProject(): Promise<Record<string, string>> {
   })
 }
 
-test('a hand-made folder of wrinkles can be edited at the size of its maps', async () => {
+test('a hand-made folder of wrinkles can be edited, and lines get the size of its maps', async () => {
   await page.reload()
   await waitUntilReady(page)
   await dropPaths(page, [join(folder, 'wrinkles')], 'Face')
   await button('Edit wrinkles').click()
   await button('Edit wrinkles').waitFor({ state: 'detached' })
   expect(await areas()).toEqual(['everywhere'])
-  // A line is drawn over the folder's normal map, which must have the size of the other maps.
+  // Draws a line over the folder's normal map. This map must have the size of the other maps.
   await page.getByRole('heading', { name: 'Lines' }).waitFor()
   await page.locator('label', { hasText: /^Draw$/ }).click()
   const { x, y, width, height } = (await page.locator('#viewport').boundingBox())!
@@ -216,7 +216,7 @@ test('a link contains expression, camera and avatar', async () => {
   await other.close()
 })
 
-test('an invalid link costs one message', async () => {
+test('an invalid link shows one message', async () => {
   const other = await openStudio(`${address}#model=javascript:alert(1)&pose=jawOpen:9`)
   await other.getByRole('alert').getByText('the link cannot be used: the address of its model').waitFor()
   await button('Dismiss', other).click()
@@ -253,7 +253,7 @@ test('a key and a button list the shortcuts', async () => {
   await list.waitFor({ state: 'hidden' })
 })
 
-test('the second of two tabs on one project says so, and can keep a copy or take over', async () => {
+test('a tab says that another tab has its project open, and can keep a copy or take over', async () => {
   await page.reload()
   await waitUntilReady(page)
   await dropPaths(page, [join(folder, 'plain.zip')], 'Plain')
@@ -273,7 +273,7 @@ test('the second of two tabs on one project says so, and can keep a copy or take
   await second.getByText('Kept in this browser').waitFor()
   await expect.poll(() => areas(second), { timeout: 60_000 }).toEqual(await areas())
   await page.getByText('Open in another tab, which alone keeps it').waitFor()
-  // Changes in a tab without the project are kept as a copy.
+  // The first tab saves its changes as a copy.
   await button('New area').click()
   expect(await button('Go on here').count()).toBe(0)
   await button('Keep a copy').click()
@@ -285,7 +285,7 @@ test('the second of two tabs on one project says so, and can keep a copy or take
 
 test('the built page works without a network', async () => {
   const dist = join(folder, 'dist')
-  // In a separate process, because this one has NODE_ENV=test.
+  // Builds in a separate process, because NODE_ENV is `test` in this one.
   const vite = join(ROOT, 'node_modules/vite/bin/vite.js')
   const env = { ...process.env, NODE_ENV: 'production' }
   execFileSync(process.execPath, [vite, 'build', join(ROOT, 'studio'), '--outDir', dist], { env })

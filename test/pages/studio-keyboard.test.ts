@@ -1,4 +1,4 @@
-/** An artist's work by keyboard alone, except painting. The focus is always visible and never lost. */
+/** Tests that all work except painting is possible by keyboard, and that the focus is always visible and never lost. */
 
 import { join } from 'node:path'
 import type { Page } from 'playwright-core'
@@ -6,30 +6,30 @@ import { beforeAll, expect, test } from 'vitest'
 import { openStudio } from './opened-studio.ts'
 import { DRAWING, waitUntilReady } from './studio-page.ts'
 
-/** Largest number of key presses before a search fails: more than the page's controls. */
+/** Number of key presses after which `tabTo` fails. The page has fewer controls. */
 const MAX_KEYS = 500
 
 const studio = openStudio({ width: 1280, height: 800 })
 let page: Page
-/** File to choose in file dialogs. */
+/** File that the tests choose in file dialogs. */
 let file = 'plain.glb'
-/** Areas at the start. */
+/** Names of the areas at the start. */
 let names: string[]
 
 beforeAll(async () => {
   ;({ page } = studio)
-  // Registered early, because the browser learns of listeners with a delay.
+  // Registered before the first dialog, because Playwright takes a moment to intercept dialogs.
   page.on('filechooser', (chooser) => chooser.setFiles(join(studio.folder, file)))
   await page.context().grantPermissions(['clipboard-read', 'clipboard-write'])
 })
 
-/** Returns the focused element as a user sees it; `body` if nothing has the focus. */
+/** Returns label and value of the focused element, and whether its focus ring is visible. If nothing has the focus, `name` is `body`. */
 async function focused(): Promise<{ name: string; value: string; isSeen: boolean }> {
   return page.evaluate(() => {
     const element = document.activeElement as HTMLInputElement
     if (element === document.body) return { name: 'body', value: '', isSeen: false }
     const text = element.ariaLabel ?? element.labels?.[0]?.textContent ?? element.textContent ?? ''
-    // Elements whose focus ring is drawn by a neighbour, a part or themselves.
+    // Elements that may draw the focus ring: the focused one, a pseudo-element, the next sibling, or a part.
     const drawn: [Element | null, string?][] = [
       [element],
       [element, '::after'],
@@ -52,7 +52,7 @@ async function focused(): Promise<{ name: string; value: string; isSeen: boolean
   })
 }
 
-/** Presses Tab until a control has the focus, which must be completely visible. */
+/** Presses Tab until the named control has the focus. Fails if the focus ring is invisible on any control on the way. */
 async function tabTo(name: string | RegExp, key: 'Tab' | 'Shift+Tab' = 'Tab'): Promise<void> {
   const isIt = (text: string) => (typeof name === 'string' ? text === name : name.test(text))
   const passed: string[] = []
@@ -72,7 +72,7 @@ async function press(...keys: string[]): Promise<void> {
   for (const key of keys) await page.keyboard.press(key)
 }
 
-/** Unfolds a part of the page and keeps the focus there. */
+/** Unfolds a section of the page. The focus stays on its heading. */
 async function unfold(name: string | RegExp, go = tabTo): Promise<void> {
   await go(name)
   const isOpen = () => page.evaluate(() => (document.activeElement!.parentElement as HTMLDetailsElement).open)
@@ -117,7 +117,7 @@ test('picks a line, moves its points, and deletes a point and the line', async (
   await tabTo('Off')
   await press('ArrowRight')
   expect((await focused()).name).toBe('Edit')
-  // A worker finds the skin that lines are drawn on.
+  // A worker prepares the skin before lines can be drawn.
   await expect.poll(shown).toBe(true)
   await tabTo('Line')
   const lines = await page.getByLabel('Line', { exact: true }).locator('option').count()
@@ -187,7 +187,7 @@ test('records the pose, and edits the curve of its driver', async () => {
   await tabTo('Remove this driver')
   await press('Enter')
   await expect.poll(drivers).toBe(before - 1)
-  // The next driver, which is the age, or the control that adds one.
+  // The focus moves to the next driver, here the age, or to the control that adds a driver.
   expect((await focused()).name).toMatch(/^Age|Driver to add|Add driver/)
   await press('Control+z')
   await expect.poll(drivers).toBe(before)
@@ -209,7 +209,7 @@ test('changes a layer', async () => {
   expect(await focused()).toMatchObject({ name: 'Name of layer Skin', value: 'Skin' })
 })
 
-test('shows an area with another layer', async () => {
+test('moves an area to another layer', async () => {
   await backTo('Layer')
   const before = await value()
   await press('End')
@@ -265,7 +265,7 @@ test('undoes and redoes everything', async () => {
   await expect.poll(areas).toEqual(after)
 })
 
-test('removes an area, which focuses the next one', async () => {
+test('removes an area, and the next one gets the focus', async () => {
   await tabTo(/^Remove area/)
   const first = (await focused()).name
   await press('Enter')
@@ -275,7 +275,7 @@ test('removes an area, which focuses the next one', async () => {
   expect(next).not.toBe(first)
 })
 
-test('dismisses a message, which returns the focus', async () => {
+test('dismisses a message, and the focus returns', async () => {
   file = 'model.fbx'
   await backTo('Open…')
   await press('Enter')

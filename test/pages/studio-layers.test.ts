@@ -1,4 +1,4 @@
-/** Layers in the studio: names, order, maps imported and saved, blood, sculpts baked. */
+/** Tests layers in the studio: names, order, importing and saving maps, blood maps, and baking a sculpted mesh. */
 
 import { readFileSync } from 'node:fs'
 import { join } from 'node:path'
@@ -48,7 +48,7 @@ test('layers can be added, renamed, moved and undone; a map can be imported, and
     button(page, 'Save roughness of sweat').click(),
   ])
   expect(download.suggestedFilename()).toBe('plain-sweat-roughness.png')
-  // Same size as the other maps.
+  // The saved map has the size of the other maps.
   expect(await sharp(await download.path()).metadata()).toMatchObject({
     width: 1024,
     height: 1024,
@@ -107,7 +107,7 @@ test('an imported blood map reddens or pales the skin where an area shows, and i
   await page.locator('#filter').fill('')
 })
 
-test('a sculpt is baked into a layer, and baking can be cancelled', async () => {
+test('a sculpted mesh is baked into a layer, and baking can be cancelled', async () => {
   const [layer] = await page.locator('.layer summary').allInnerTexts()
   await page.locator('.layer summary').first().click()
   const sculpt = page.getByLabel(/^Bake a sculpt into/).first()

@@ -1,4 +1,4 @@
-/** The studio's page follows the system or the user's choice of light or dark, and shows all of its content at every width. */
+/** Tests that the page follows the system's or the user's choice of light or dark, and shows all content at every width. */
 
 import type { Page } from 'playwright-core'
 import sharp from 'sharp'
@@ -18,7 +18,7 @@ beforeAll(() => {
 
 const choose = (name: string) => page.getByRole('group', { name: 'Page' }).getByText(name).click()
 
-/** Mean brightness of an element including everything on top, 0..255. */
+/** Returns the mean brightness of an element and everything drawn over it, 0..255. */
 async function brightness(selector: string): Promise<number> {
   const picture = sharp(await page.locator(selector).screenshot()).grayscale()
   return (await picture.stats()).channels[0].mean
@@ -72,7 +72,7 @@ test('on a high-density screen the texture fills its view', async () => {
   await toggle.click()
   const canvas = page.locator('#texture canvas')
   const [view, picture] = [await page.locator('#texture').boundingBox(), await canvas.boundingBox()]
-  // Except for the view's border.
+  // The width of the border is the allowed difference.
   expect(picture!.width).toBeCloseTo(view!.width, -1)
   expect(picture!.height).toBeCloseTo(view!.height, -1)
   await toggle.click()

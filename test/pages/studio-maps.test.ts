@@ -1,4 +1,4 @@
-/** Maps in the studio: the texture's view, area tools, views of the stage, and the preview under the pointer. */
+/** Tests the view of the texture, tools that paint areas, views of the stage, and previews of the control under the pointer. */
 
 import type { Page } from 'playwright-core'
 import { beforeAll, expect, test } from 'vitest'
@@ -175,6 +175,22 @@ test('the face is shown as clay, and by its strain, which follows the pose', asy
   await expectPicture(page, shaded)
 })
 
+test('the onset maps of automatic wrinkles are shown, one layer at a time', async () => {
+  const shaded = await shootAside(page)
+  const show = page.getByRole('group', { name: 'Show' })
+  await show.getByText('Onset').click()
+  const layer = page.getByLabel('Onset of', { exact: true })
+  const names = await layer.locator('option').allInnerTexts()
+  expect(names.slice(0, 2)).toEqual(['auto1', 'auto2'])
+  const first = await shootAside(page)
+  expect(await meanPngDifference(shaded, first)).toBeGreaterThan(2)
+  await layer.selectOption('auto2')
+  expect(await page.textContent('#side-with')).toBe('Onset of auto2')
+  expect(await meanPngDifference(first, await shootAside(page))).toBeGreaterThan(0.1)
+  await show.getByText('Shaded').click()
+  await expectPicture(page, shaded)
+})
+
 test('the light turns by keys and by dragging its ball; nothing turns on its own with reduced motion', async () => {
   const before = await shootAside(page)
   const ball = page.getByRole('slider', { name: 'Light', exact: true })
@@ -196,8 +212,8 @@ test('the light turns by keys and by dragging its ball; nothing turns on its own
   expect(await page.getByLabel('Turntable').isDisabled()).toBe(true)
 })
 
-test('the face performs for the hovered or focused area, lit from the side, and relaxes', async () => {
-  // Unfolds the groups of the search results.
+test('the face moves, lit from the side, for an area that is hovered or focused, and then returns to its pose', async () => {
+  // A search unfolds the groups that contain results.
   await page.locator('#filter').fill('o')
   await slider(page, 'jawOpen').fill('0.3')
   await slider(page, 'noseLeft').fill('0.4')
@@ -206,19 +222,19 @@ test('the face performs for the hovered or focused area, lit from the side, and 
     Promise.all(names.map(async (name) => Number(await slider(page, name).inputValue())))
   await page.locator('#areas label', { hasText: 'crowsFeetLeft' }).hover()
   await eventually(async () => expect((await values('crowsFeetLeft'))[0]).toBeGreaterThan(0.5))
-  // Weight in the happy expression.
+  // 0.12 is the weight in the expression `happy`.
   expect(await values('jawOpen')).toEqual([0.12])
   expect(await meanPngDifference(before, await shootStage(page))).toBeGreaterThan(2)
   await expectPicture(page, before)
   expect(await values('jawOpen', 'noseLeft', 'crowsFeetLeft')).toEqual([0.3, 0.4, 0])
-  // Tab reaches the selected radio button of the list.
+  // Tab stops only at the selected radio button of a list.
   await areaChoice(page, 'noseLeft').check()
   await shootAside(page)
   await areaChoice(page, 'noseLeft').focus()
   await page.keyboard.press('Shift+Tab')
   await page.keyboard.press('Tab')
   await eventually(async () => expect((await values('jawOpen'))[0]).toBe(0))
-  // Moving the face by hand starts from the previous pose.
+  // Moving a slider first restores the pose before the preview.
   await slider(page, 'mouthPucker').fill('0.5')
   expect(await values('jawOpen', 'noseLeft', 'mouthPucker')).toEqual([0.3, 0.4, 0.5])
   expect(await button(page, 'Undo').isDisabled()).toBe(true)

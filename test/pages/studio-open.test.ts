@@ -21,7 +21,7 @@ const SCAN = fileURLToPath(new URL('../../../shared/real-face/ict-face.glb', imp
 const studio = openStudio({ width: 800, height: 400 })
 const { folder } = studio
 let page: Page
-/** Shipped face at rest without wrinkles, like its plain copies. */
+/** Picture of the shipped face at rest without wrinkles. Avatars made from this face must look the same. */
 let human: Buffer
 
 beforeAll(async () => {
@@ -60,7 +60,7 @@ test.each([
 })
 
 test('a folder of wrinkles is shown on its face', async () => {
-  // The previous avatar has its automatic wrinkles by now.
+  // By now the previous avatar has automatic wrinkles.
   await expectValue(slider(page, 'foreheadInnerLeft'), 0)
   await dropPaths(page, [join(folder, 'wrinkles')], 'Face')
   await page.getByRole('slider', { name: /^Divider/ }).press('Home')
@@ -90,7 +90,7 @@ test('a face of the list is restored as it was', async () => {
 })
 
 test.skipIf(!existsSync(SCAN))(
-  'a scan is shown, framed at the face (skipped without ../shared/real-face)',
+  'a scanned face is shown from its front (skipped without ../shared/real-face)',
   async () => {
     await dropPaths(page, [SCAN], 'Ict face')
     const picture = await shootStage(page)

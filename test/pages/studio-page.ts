@@ -1,4 +1,4 @@
-/** Actions on the studio's page, and values that tests read from it. */
+/** Functions that operate the studio's page, and read its state. */
 
 import { join } from 'node:path'
 import type { Locator, Page } from 'playwright-core'
@@ -6,7 +6,7 @@ import sharp from 'sharp'
 import { expect, vi } from 'vitest'
 import { dropPaths as dropOnPage } from '../../scripts/lib/drop-paths.mjs'
 
-/** Time limit for pages that compute and draw without a GPU. */
+/** Time limit and polling interval, milliseconds. Pages compute and draw without a GPU. */
 export const DRAWING = { timeout: 120_000, interval: 200 }
 
 /** Waits until a face is shown. */
@@ -15,7 +15,7 @@ export async function waitUntilReady(page: Page, backend = ''): Promise<void> {
   await page.locator('#stage[aria-busy=false]').waitFor()
 }
 
-/** Page expression that unfolds the panel and returns the HTML of clipped controls. */
+/** JavaScript that unfolds all sections of the panel, and returns the HTML of controls that are cut off. */
 export const CUT_CONTROLS = `(() => {
   for (const details of document.querySelectorAll('details')) details.open = true
   const isCut = (element) =>
@@ -39,12 +39,12 @@ export function button(page: Page, name: string): Locator {
   return page.getByRole('button', { name, exact: true })
 }
 
-/** Radio button that selects an area in the list. */
+/** Returns the radio button that selects an area in the list. */
 export function areaChoice(page: Page, area: string): Locator {
   return page.getByRole('radio', { name: `Edit area ${area}`, exact: true })
 }
 
-/** Switches the pointer to drawing lines, and waits until the face shows the current lines: a worker reads the skin first. */
+/** Switches the pointer to drawing lines. Waits until the face shows the lines, because a worker prepares the skin first. */
 export async function startDrawingLines(page: Page): Promise<void> {
   await page.getByRole('group', { name: 'Pointer' }).getByText('Draw', { exact: true }).click()
   await page.locator('canvas.lines').waitFor()
@@ -55,7 +55,7 @@ export async function undoLabel(page: Page): Promise<string | undefined> {
   return (await button(page, 'Undo').getAttribute('title'))?.replace('Undo: ', '')
 }
 
-/** Waits until undo would revert this step. */
+/** Waits until undo would revert the step with this label. */
 export function undoIs(page: Page, label: string): Promise<void> {
   return eventually(async () => expect(await undoLabel(page)).toBe(label))
 }
@@ -65,10 +65,10 @@ export function expectValue(input: Locator, value: number): Promise<void> {
   return vi.waitFor(check, { timeout: 300_000, interval: 100 })
 }
 
-/** Takes pictures of the stage until two in a row are equal. */
+/** Takes pictures of the stage until two consecutive ones are equal, and returns the last. */
 export async function shootStage(page: Page): Promise<Buffer> {
   const { width, height } = (await page.locator('#viewport').boundingBox())!
-  // Between the toolbar and the readout, whose numbers change, and without overlays.
+  // Leaves out the toolbar at the top and the changing numbers at the bottom.
   const clip = { x: 0, y: 60, width, height: height - 180 }
   const shoot = () => page.screenshot({ clip, style: '.messages, .divider, .sides { opacity: 0 }' })
   for (let before = await shoot(); ; ) {
@@ -81,7 +81,7 @@ export async function shootStage(page: Page): Promise<Buffer> {
   }
 }
 
-/** Takes a picture of the shipped face at rest without wrinkles, like its plain copies. */
+/** Takes a picture of the shipped face at rest without wrinkles, to compare with avatars made from this face. */
 export async function shootPlainHuman(page: Page): Promise<Buffer> {
   await page.getByRole('button', { name: 'Neutral' }).click()
   await expectValue(slider(page, 'foreheadLeft'), 0)
@@ -97,7 +97,7 @@ export async function shootAside(page: Page): Promise<Buffer> {
 }
 
 /**
- * Waits until the stage looks like a picture.
+ * Waits until the stage looks like the given picture.
  *
  * @param most largest mean difference, 0..255; by default the pictures must be equal.
  */
@@ -125,13 +125,13 @@ export async function brightnessDeviation(png: Buffer): Promise<number> {
   return channels[0].stdev
 }
 
-/** Waits for an error that contains a text, and dismisses it. */
+/** Waits for a message that contains a text, and dismisses it. */
 export async function dismiss(page: Page, text: string): Promise<void> {
   await page.getByRole('alert').getByText(text).waitFor()
   await page.getByRole('button', { name: 'Dismiss' }).click()
 }
 
-/** Makes an area of full weight in the paper's convention. */
+/** Makes the image of an area that is visible everywhere: black, because black means visible. */
 export function blackPng(): Promise<Buffer> {
   return sharp({ create: { width: 32, height: 32, channels: 3, background: '#000' } })
     .png()
@@ -153,13 +153,13 @@ export async function drop(page: Page, name: string, content: Buffer): Promise<v
   await page.dispatchEvent('#stage', 'drop', { dataTransfer: files })
 }
 
-/** Collects the distinct values of a slider from pressing an expression's button until nothing moves. */
+/** Presses the button of an expression, and collects the distinct values of a slider until nothing moves. */
 export async function transitionValues(page: Page, expression: string, name: string): Promise<number[]> {
   const input = await slider(page, name).elementHandle()
   return page.getByRole('button', { name: expression }).evaluate(async (button, sliderInput) => {
     ;(button as HTMLElement).click()
     const values = new Set<number>()
-    // At least 12 frames, because a slow machine draws few per second, in steps of 0.1 s.
+    // At least 12 frames, because a slow machine draws few frames per second, and each frame advances the transition by at most 0.1 s.
     for (let frame = 0, start = performance.now(); frame < 12 || performance.now() - start < 1000; frame++) {
       values.add((sliderInput as HTMLInputElement).valueAsNumber)
       await new Promise(requestAnimationFrame)
@@ -169,9 +169,9 @@ export async function transitionValues(page: Page, expression: string, name: str
 }
 
 /**
- * Drops files and folders from disk as the system does.
+ * Drops files and folders from disk onto the page.
  *
- * @param name face to wait for; by default returns immediately.
+ * @param name name of the face to wait for; by default the function does not wait.
  */
 export async function dropPaths(page: Page, files: string[], name?: string): Promise<void> {
   await dropOnPage(page, files)

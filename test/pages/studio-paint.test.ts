@@ -113,7 +113,7 @@ test('an area can be renamed, and undo restores its name', async () => {
   await areaChoice(page, AREA).waitFor({ state: 'detached' })
   await page.getByLabel('Name', { exact: true }).fill('chin')
   await page.keyboard.press('Enter')
-  await dismiss(page, 'two of the areas would have one name')
+  await dismiss(page, 'another area already has this name')
   expect(await page.getByLabel('Name', { exact: true }).inputValue()).toBe('brow')
   await button(page, 'Undo').click()
   await areaChoice(page, AREA).waitFor()
@@ -134,7 +134,7 @@ test('an area can be deleted, and undo restores it', async () => {
   await areaChoice(page, AREA).waitFor()
 })
 
-test('a muted area is hidden only in the picture', async () => {
+test('a muted area is hidden in the picture, and stays in the document', async () => {
   await page.getByRole('slider', { name: /^Divider/ }).press('Home')
   const before = await shootAside(page)
   await slider(page, AREA).fill('1')
@@ -155,7 +155,7 @@ async function stroke(): Promise<void> {
   await page.mouse.move(cheek.x + 20, cheek.y + 12, { steps: 4 })
 }
 
-/** Expects a picture that differs only by its camera, then selects the brush. */
+/** Expects that the camera has moved and nothing else has changed. Resets the camera and selects the brush again. */
 async function expectCameraMoved(before: Buffer): Promise<void> {
   expect(await button(page, 'Undo').isDisabled()).toBe(true)
   expect(await meanPngDifference(before, await shootAside(page))).toBeGreaterThan(1)
@@ -164,7 +164,7 @@ async function expectCameraMoved(before: Buffer): Promise<void> {
   await button(page, 'Paint').click()
 }
 
-/** Returns the mean difference of two pictures of the stage within 10 pixels of a point of the page, 0..255. */
+/** Returns the mean difference of two pictures of the stage, 0..255, in a square of 20 pixels at a point of the page. */
 async function differenceAt(a: Buffer, b: Buffer, { x, y }: { x: number; y: number }): Promise<number> {
   const rectangle = { left: Math.round(x - 5), top: Math.round(y - 65), width: 20, height: 20 }
   const [one, other] = await Promise.all([a, b].map((png) => sharp(png).extract(rectangle).png().toBuffer()))

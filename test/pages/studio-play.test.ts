@@ -1,4 +1,4 @@
-/** Key frames of a file and iPhone captures, played in the studio. */
+/** Tests playing animations of a file and iPhone captures in the studio. */
 
 import { readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
@@ -10,7 +10,7 @@ import { openStudio } from './opened-studio.ts'
 import { dropPaths, expectValue, meanPngDifference, shootStage, slider } from './studio-page.ts'
 
 const HUMAN = fileURLToPath(new URL('../../faces/human.glb', import.meta.url))
-/** Length of the key frame animation, seconds. */
+/** Duration of the animation, seconds. */
 const DURATION = 2
 
 const studio = openStudio({ width: 800, height: 500 })
@@ -76,7 +76,7 @@ const expression = (name: string) => page.locator('#expressions button', { hasTe
 let rest: Buffer
 let raised: Buffer
 
-test('nothing plays on its own, and scrubbing to a time creases the forehead', async () => {
+test('nothing plays by itself, and dragging to a time wrinkles the forehead', async () => {
   await expectValue(time(), 0)
   expect(await button('Play').isVisible()).toBe(true)
   expect(await button('Stop').isDisabled()).toBe(true)
@@ -86,7 +86,7 @@ test('nothing plays on its own, and scrubbing to a time creases the forehead', a
   await expectValue(forehead(), 1)
   raised = await shootStage(page)
   expect(await meanPngDifference(rest, raised)).toBeGreaterThan(0.5)
-  // The brows also move without wrinkles, so only the creases remain.
+  // The divider shows the same moving brows with and without wrinkles, so the difference is only the wrinkles.
   const divider = page.getByRole('slider', { name: /^Divider/ })
   await divider.press('End')
   const smooth = await shootStage(page)

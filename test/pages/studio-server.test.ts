@@ -12,7 +12,7 @@ import { HOSTILE_BYTES, HOSTILE_PATHS, request, send, statusOf } from '../hostil
 const ROOT = fileURLToPath(new URL('../../', import.meta.url))
 const SECRET = 'not to be served'
 
-/** Checkout with damaged files in `faces/`, and a folder outside it that links point to. */
+/** Contains `checkout`, a copy of the served folders with damaged faces, and `elsewhere`, a target of symbolic links in `checkout`. */
 const folder = mkdtempSync(join(tmpdir(), 'furrow-studio-'))
 const checkout = join(folder, 'checkout')
 const warnings: string[] = []
@@ -97,7 +97,7 @@ test('unreadable faces are left out of the list, with one line each', async () =
 })
 
 test.each(HOSTILE_PATHS.map((path) => [path.slice(0, 40), path]))(
-  'the server survives GET %s',
+  'the server continues after GET %s',
   async (_, path) => {
     for (const prefix of ['', '/faces', '/examples', '/@fs', `/@fs${checkout}/faces`, '/@id']) {
       const response = await request(origin, `${prefix}${path}`)
@@ -110,7 +110,7 @@ test.each(HOSTILE_PATHS.map((path) => [path.slice(0, 40), path]))(
 )
 
 test.each(HOSTILE_BYTES.map((bytes, i) => [i, bytes] as const))(
-  'the server survives the bytes of number %d',
+  'the server continues after the invalid request number %d',
   async (_, bytes) => {
     await send(origin, bytes)
     await expectAlive()

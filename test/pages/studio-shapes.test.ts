@@ -1,4 +1,4 @@
-/** Identifying the blendshapes of a face without names, correcting them, and exporting the corrections. */
+/** Tests the recognition of blendshapes without meaningful names, an artist's corrections, and their export. */
 
 import { readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
@@ -67,7 +67,7 @@ test('the unfolded section lists the blendshapes by what they move', async () =>
   const row = rowOf(indexOf('mouthSmileLeft'))
   expect(await row.textContent()).toMatch(/\d\d%motion/)
   expect(await row.locator('option:checked').textContent()).toBe('mouthSmileLeft (automatic)')
-  // A tongue inside the mouth moves no skin.
+  // The blendshape of the tongue moves no skin, so its meaning is unknown.
   await page.getByLabel('Unknown only').check()
   expect(await rows().count()).toBe(1)
   expect(await rows().textContent()).toContain('unknown')
@@ -97,7 +97,7 @@ test('the face shows the hovered or focused blendshape', async () => {
 })
 
 test('a correction can be undone and redone, and changes wrinkles when the artist asks', async () => {
-  const name = indexOf('browInnerUp')
+  const name = indexOf('noseSneerLeft')
   await correct(name, '-')
   await undoIs(page, `Correct ${name}`)
   expect(await rowOf(name).textContent()).toContain('corrected')
@@ -105,19 +105,19 @@ test('a correction can be undone and redone, and changes wrinkles when the artis
   await button(page, 'Undo').click()
   await noteOf().waitFor({ state: 'detached' })
   const label = rowOf(name).locator('option:checked')
-  await eventually(async () => expect(await label.textContent()).toBe('browInnerUp (automatic)'))
+  await eventually(async () => expect(await label.textContent()).toBe('noseSneerLeft (automatic)'))
   await button(page, 'Redo').click()
   await noteOf().waitFor()
-  expect(await areaChoice(page, 'foreheadInnerLeft').count()).toBe(1)
+  expect(await areaChoice(page, 'noseLeft').count()).toBe(1)
   await button(page, 'Make them again').click()
   await noteOf().waitFor({ state: 'detached' })
   await made()
-  // Now nothing raises the brows.
-  await eventually(async () => expect(await areaChoice(page, 'foreheadInnerLeft').count()).toBe(0))
+  // After the correction no blendshape wrinkles the left side of the nose.
+  await eventually(async () => expect(await areaChoice(page, 'noseLeft').count()).toBe(0))
   expect(await areaChoice(page, 'mouthCornerLeft').count()).toBe(1)
 })
 
-test('two corrections are stored in this browser', async () => {
+test('the browser stores two corrections', async () => {
   await correct(indexOf('mouthSmileLeft'), 'mouthFrownLeft')
   await page.getByText('Kept in this browser').waitFor()
   await page.reload()
@@ -133,7 +133,7 @@ test('two corrections are stored in this browser', async () => {
   await noteOf().waitFor()
 })
 
-test('the exported file contains them for the next reader', async () => {
+test('the exported file contains the corrections', async () => {
   await page.getByRole('heading', { name: 'Export' }).click()
   await button(page, 'Make the file').click()
   const save = page.getByRole('button', { name: /^Save .*-wrinkled\./ })
@@ -152,7 +152,7 @@ test('the exported file contains them for the next reader', async () => {
   })
   expect(extension.shapes).toEqual([
     { mesh: expect.any(String), target: indexOf('mouthSmileLeft'), shape: 'mouthFrownLeft' },
-    { mesh: expect.any(String), target: indexOf('browInnerUp') },
+    { mesh: expect.any(String), target: indexOf('noseSneerLeft') },
   ])
   await dropPaths(page, [path], 'Exported')
   await button(page, 'Edit wrinkles').click()
@@ -162,5 +162,5 @@ test('the exported file contains them for the next reader', async () => {
 
 async function expectCorrections(): Promise<void> {
   expect(await choiceOf(indexOf('mouthSmileLeft')).inputValue()).toBe('mouthFrownLeft')
-  expect(await choiceOf(indexOf('browInnerUp')).inputValue()).toBe('-')
+  expect(await choiceOf(indexOf('noseSneerLeft')).inputValue()).toBe('-')
 }

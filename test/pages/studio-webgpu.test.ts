@@ -1,4 +1,4 @@
-/** An artist's tools on WebGPU, and looks that equal those on WebGL. */
+/** Tests painting and drawing in the studio on WebGPU, and compares the looks of the skin with WebGL. */
 
 import type { Page } from 'playwright-core'
 import { beforeAll, expect, test } from 'vitest'
@@ -19,7 +19,7 @@ const LOOKS = ['Clay', 'Strain'] as const
 
 const studio = openStudio({ width: 900, height: 600 })
 let page: Page
-/** Pictures on WebGL. */
+/** Pictures of each look on WebGL. */
 const expected = new Map<string, Buffer>()
 
 beforeAll(async () => {
@@ -41,7 +41,7 @@ async function shootLook(name: string): Promise<Buffer> {
   return picture
 }
 
-/** Returns a point of an element, given in fractions of its size. */
+/** Converts a point from fractions of an element's size to coordinates of the page. */
 async function pointIn(selector: string, u: number, v: number): Promise<[x: number, y: number]> {
   const { x, y, width, height } = (await page.locator(selector).boundingBox())!
   return [x + u * width, y + v * height]
@@ -55,7 +55,7 @@ async function drag(selector: string, ...points: [u: number, v: number][]): Prom
   await page.mouse.up()
 }
 
-/** Makes a step that changes the picture, and expects undo to restore it. */
+/** Makes a change, and expects that the picture changes and that undo restores it. */
 async function changesPicture(change: () => Promise<void>, label: string, least: number): Promise<void> {
   const before = await shootStage(page)
   await change()
@@ -81,7 +81,7 @@ test('an area is painted on the face, and shows its extent', async () => {
   await changesPicture(() => drag('#viewport', [0.6, 0.55], [0.63, 0.6]), `Paint ${AREA}`, 0.05)
 })
 
-test('an area is painted on its texture', async () => {
+test('an area is painted on the view of its texture', async () => {
   await button(page, 'Texture').click()
   await changesPicture(() => drag('#texture', [0.6, 0.45], [0.65, 0.5]), `Paint ${AREA}`, 0.05)
   await button(page, 'Texture').click()

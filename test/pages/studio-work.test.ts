@@ -1,4 +1,4 @@
-/** An artist's path with an avatar: wrinkles, changes, the next day, a file. */
+/** Tests an artist's main steps in the studio: open an avatar, make wrinkles, change them, reload the page, and export. */
 
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { dirname, join } from 'node:path'
@@ -22,7 +22,7 @@ beforeAll(async () => {
 
 const age = () => page.getByRole('slider', { name: 'Age' })
 const areas = () => page.locator('#areas .row label').allTextContents()
-/** Waits until no wrinkles are being made. */
+/** Waits until the page no longer shows that wrinkles are being made. */
 const waitForWrinkles = () => page.getByText('Making wrinkles').waitFor({ state: 'detached' })
 const waitForAreas = (names: string[]) =>
   vi.waitFor(async () => expect(await areas()).toEqual(names), { timeout: 300_000 })
@@ -46,7 +46,7 @@ test('an avatar without wrinkles gets them, and its forehead creases', async () 
   await divider.press('Home')
 })
 
-test('another age changes them, and undo restores the old ones', async () => {
+test('another age changes the wrinkles, and undo restores the old ones', async () => {
   await age().press('End')
   await expect
     .poll(() => page.getByRole('button', { name: 'Undo' }).isEnabled(), { timeout: 300_000 })

@@ -36,7 +36,7 @@ afterAll(async () => {
 const studio = openStudio()
 
 describe('the studio on WebGL', () => {
-  test('shows the face in every look', () => showsLooks(studio.page, 'WebGL 2'))
+  test('shows a different picture for every look', () => showsLooks(studio.page, 'WebGL 2'))
 
   test('moves the face by expressions and sliders', () => movesFace(studio.page))
 
@@ -65,7 +65,7 @@ describe('the studio on WebGL', () => {
       'eyeSquintLeft',
       'mouthSmileLeft',
     ])
-    // The area on the face.
+    // The face shows the hovered area.
     expect(await meanPngDifference(before, await shootStage(page))).toBeGreaterThan(2)
     await page.locator('#filter').fill('mouthSmileLeft')
     await page.locator('#targets label', { hasText: 'mouthSmileLeft' }).hover()
@@ -113,7 +113,7 @@ describe('the studio on WebGL', () => {
     expect(await meanPngDifference(before, await shootStage(page))).toBe(0)
   })
 
-  test('adds an image in the other convention if the box is cleared', async () => {
+  test('reads white as visible if the checkbox is cleared', async () => {
     const { page } = studio
     const before = await shootStage(page)
     await page.getByLabel('White = no wrinkles').uncheck()
@@ -169,7 +169,7 @@ describe('the studio without WebGPU', () => {
   })
 })
 
-/** Checks a template like that of `furrow uv`: islands with lines over the base colour, and transparency around them. */
+/** Checks the saved UV layout: islands with lines over the base colour, and transparency around them. */
 async function savesUvLayout(page: Page): Promise<void> {
   const [download] = await Promise.all([
     page.waitForEvent('download'),
@@ -187,7 +187,7 @@ async function savesUvLayout(page: Page): Promise<void> {
   })
   const [red, , , alpha] = (await image.stats()).channels
   expect([alpha.min, alpha.max]).toEqual([0, 255])
-  // The islands cover a good part of the texture, but not all of it.
+  // The islands cover between 30% and 95% of the texture.
   expect(alpha.mean / 255).toBeGreaterThan(0.3)
   expect(alpha.mean / 255).toBeLessThan(0.95)
   expect(red.stdev).toBeGreaterThan(10)
@@ -206,7 +206,7 @@ async function checkControls(page: Page): Promise<void> {
   expect(nameless).toEqual([])
   const expected = await page.evaluate(() => {
     const controls = [...document.querySelectorAll<HTMLElement>('button, input, select, summary, [tabindex]')]
-    // Tab reaches only the selected radio button of a group.
+    // Tab stops only at the selected radio button of a group.
     const reachable = controls.filter(
       (control) =>
         control.checkVisibility() &&
@@ -214,7 +214,7 @@ async function checkControls(page: Page): Promise<void> {
         (!control.matches('[type=radio]') || control.matches(':checked')),
     )
     for (const [index, control] of reachable.entries()) control.dataset.reach = String(index)
-    // Tab starts at the top of the page.
+    // Makes the body focusable, so that Tab starts at the top of the page.
     document.body.tabIndex = -1
     document.body.focus()
     return reachable.length
@@ -249,7 +249,7 @@ async function fitsPhone(page: Page): Promise<void> {
   await page.setViewportSize(DESKTOP)
 }
 
-/** Opens the studio, surprised and at rest. Tests must not cause errors. */
+/** Opens the studio for the current `describe`. Fails at the end if the page has reported errors. */
 function openStudio(): { page: Page } {
   const studio = {} as Awaited<ReturnType<typeof openPage>>
   beforeAll(async () => {

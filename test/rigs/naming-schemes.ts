@@ -1,14 +1,14 @@
-/** Translates an ARKit name to a rig's: undefined if the rig lacks the shape, two names if it has one per side. */
-export type Spell = (shape: string) => string | [left: string, right: string] | undefined
+/** Returns a rig's name for an ARKit blendshape: undefined if the rig lacks it, two names if the rig has one per side. */
+export type NamingScheme = (shape: string) => string | [left: string, right: string] | undefined
 
-/** Splits the side off the end of a name. */
+/** Splits an ARKit name into stem and side. */
 function sideOf(shape: string): [stem: string, side: '' | 'Left' | 'Right'] {
   const [, stem, side] = /^(.*?)(Left|Right)?$/.exec(shape)!
   return /^(jaw|mouth)(Left|Right)$/.test(shape) ? [shape, ''] : [stem!, (side as 'Left' | 'Right') ?? '']
 }
 
-/** Rig with its own names. `*` stands for the side, in the rig's spelling. */
-function rig(sides: [left: string, right: string], names: Readonly<Record<string, string>>): Spell {
+/** Returns the scheme of a rig. `names` has the rig's name for each stem of ARKit. In a rig's name, `sides` replace `*`. */
+function rig(sides: [left: string, right: string], names: Readonly<Record<string, string>>): NamingScheme {
   return (shape) => {
     const [stem, side] = sideOf(shape)
     const name = names[stem]
@@ -52,18 +52,18 @@ const prefixed = (prefix: string, names: Readonly<Record<string, string>>) =>
 
 const OPPOSITE: Readonly<Record<string, string>> = { Left: 'Right', Right: 'Left', _L: '_R', _R: '_L' }
 
-/** Returns the name of the other side, as if the file had left and right swapped. */
+/** Replaces left by right at the end of a name, and right by left. */
 export function swapSide(name: string): string {
   return name.replace(/(Left|Right|_L|_R)$/, (side) => OPPOSITE[side]!)
 }
 
-/** Name without meaning. */
+/** Returns a meaningless name. */
 export function noName(index: number): string {
   return `target_${index}`
 }
 
-/** Naming schemes of published avatars that have ARKit's shapes under other names. */
-export const SCHEMES: Readonly<Record<string, Spell>> = {
+/** Naming schemes of rigs that have ARKit's blendshapes under other names. */
+export const SCHEMES: Readonly<Record<string, NamingScheme>> = {
   MetaHuman: rig(['L', 'R'], METAHUMAN),
   'MetaHuman with CTRL_expressions_': rig(['L', 'R'], prefixed('CTRL_expressions_', METAHUMAN)),
   iClone: (shape) => `A01_${upper(shape).replace(/(\p{Ll})(\p{Lu})/gu, '$1_$2')}`,
@@ -221,8 +221,8 @@ export const SCHEMES: Readonly<Record<string, Spell>> = {
   'L and R last': (shape) => shape.replace(/(?<!jaw|mouth)(Left|Right)$/, (side) => side.charAt(0)),
 }
 
-/** Rigs with other shapes in place of ARKit's. Several of ARKit's shapes share one name. */
-export const STAND_INS: Readonly<Record<string, Spell>> = {
+/** Naming schemes of rigs that have fewer blendshapes, where one name replaces several of ARKit's. */
+export const FEWER_SHAPES: Readonly<Record<string, NamingScheme>> = {
   VRoid: rig(['L', 'R'], {
     browDown: 'Fcl_BRW_Angry',
     browInnerUp: 'Fcl_BRW_Surprised',

@@ -1,18 +1,18 @@
 import type { Skin } from 'furrow/author'
-import type { Spell } from './naming-schemes.ts'
+import type { NamingScheme } from './naming-schemes.ts'
 
-/** Half width of the blend between the two sides of a shape, metres. */
+/** Half the width of the band where one side of a split blendshape fades into the other, metres. */
 const MIDDLE = 0.01
 
 /**
- * Renames ARKit's shapes to a rig's, and keeps only shapes that the rig has. Shapes with equal names are summed. A shape with a name per
- * side is split into the motion of each side.
+ * Returns a face with the blendshapes of a rig, made of ARKit's. Blendshapes that get equal names become one blendshape, their sum. A
+ * blendshape that gets a name per side is split into two.
  *
- * @param nameOf replaces a rig's name. It also receives ARKit's name, with a side if the rig splits the shape.
+ * @param nameOf returns another name for a blendshape, given the rig's name and ARKit's; default: the rig's name.
  */
-export function respelled(
+export function withNamesOf(
   face: Skin,
-  spell: Spell,
+  scheme: NamingScheme,
   nameOf: (own: string, shape: string) => string = (own) => own,
 ): Skin {
   const targets = new Map<string, Float32Array>()
@@ -24,7 +24,7 @@ export function respelled(
     )
   }
   for (const { name, offsets } of face.targets) {
-    const own = spell(name)
+    const own = scheme(name)
     if (own === undefined) continue
     if (typeof own === 'string') {
       add(nameOf(own, name), offsets, () => 1)

@@ -1,15 +1,15 @@
 import { join } from 'node:path'
-import { AUTO_REGIONS, autoWrinkles, type Skin } from 'furrow/author'
-import { findSkin } from 'furrow-files'
-import { readDocument } from 'furrow-files/node'
-import { noName, SCHEMES, type Spell, STAND_INS, swapSide } from './naming-schemes.ts'
-import { respelled } from './rename.ts'
+import { autoWrinkles, type Skin } from 'furrow/author'
+import { LINE_REGIONS } from 'furrow/internal'
+import { skinAt } from '../skin-at.ts'
+import { FEWER_SHAPES, type NamingScheme, noName, SCHEMES, swapSide } from './naming-schemes.ts'
+import { withNamesOf } from './rename.ts'
 
-/** Blendshape that nearly all rigs have; the table shows its name. */
+/** Blendshape that nearly all rigs have. The table shows its name in each rig. */
 const EXAMPLE = 'mouthSmileLeft'
 
-/** Gives each shape a name without meaning. */
-function unnamed(): Spell {
+/** Returns a naming scheme of meaningless, numbered names. */
+function unnamed(): NamingScheme {
   const shapes: string[] = []
   return (shape) => {
     if (!shapes.includes(shape)) shapes.push(shape)
@@ -17,39 +17,37 @@ function unnamed(): Spell {
   }
 }
 
-/** Rows of the table: spellings of a face's blendshapes. */
-export const ROWS: Readonly<Record<string, Spell>> = {
+/** Rows of the table in the documentation: naming schemes of blendshapes, by name of the rig. */
+export const ROWS: Readonly<Record<string, NamingScheme>> = {
   ARKit: (shape) => shape,
   ...SCHEMES,
-  ...STAND_INS,
+  ...FEWER_SHAPES,
   'left and right swapped': swapSide,
   'no names': unnamed(),
 }
 
-/** Reads the face that the rows rename. It has all of ARKit's shapes that move skin. */
+/** Reads the face whose blendshapes each row renames. It has all of ARKit's blendshapes that move skin. */
 export async function readFace(root: string): Promise<Skin> {
-  const path = join(root, 'faces/human.glb')
-  return findSkin(await readDocument(path, 'rig table'), path, 'rig table').skin
+  return skinAt(join(root, 'faces/human.glb'))
 }
 
-/** Makes a row: rig, name of a smile, number of blendshapes, and sides of each region that get areas. */
+/** Makes a row: rig, its name for `EXAMPLE`, number of blendshapes, and, for each region, the sides on which automatic wrinkles made areas. */
 export function rowOf(name: string, face: Skin): string {
-  const spell = ROWS[name]!
-  const skin = respelled(face, spell)
+  const scheme = ROWS[name]!
+  const skin = withNamesOf(face, scheme)
   const areas = autoWrinkles(skin, { size: 64, areaSize: 64 }).areas.map((area) => area.name)
-  const cells = AUTO_REGIONS.map((region) => {
+  const cells = LINE_REGIONS.map((region) => {
     const [first, second] = areas.filter((area) => area.replace(/(Left|Right)$/, '') === region)
     if (first === undefined) return '–'
     return first === region || second !== undefined ? 'yes' : first.slice(region.length).toLowerCase()
   })
-  const example = spell(EXAMPLE) === undefined ? '–' : `\`${spell(EXAMPLE)}\``.replace('|', '\\|')
+  const example = scheme(EXAMPLE) === undefined ? '–' : `\`${scheme(EXAMPLE)}\``.replace('|', '\\|')
   return lineOf([name, example, String(skin.targets.length), ...cells])
 }
 
-/** Header of the table. */
 export const HEAD = [
-  lineOf(['rig', `\`${EXAMPLE}\``, 'shapes', ...AUTO_REGIONS]),
-  lineOf(Array.from({ length: AUTO_REGIONS.length + 3 }, () => '---')),
+  lineOf(['rig', `\`${EXAMPLE}\``, 'shapes', ...LINE_REGIONS]),
+  lineOf(Array.from({ length: LINE_REGIONS.length + 3 }, () => '---')),
 ]
 
 function lineOf(cells: readonly string[]): string {

@@ -1,4 +1,4 @@
-// The built site, served from another path than it was built for: `npm run test:all -- --project site`.
+// Tests the built site under a path other than the one it was built for. Run: `npm run test:all -- --project site`.
 
 import { spawnSync } from 'node:child_process'
 import { existsSync, readdirSync, readFileSync } from 'node:fs'
@@ -31,7 +31,7 @@ const PAGES = [
   'faces/human/index.html',
 ]
 
-/** Forehead of the first page's face, as fractions of the square picture. */
+/** Forehead of the face on the first page, as fractions of its square picture. */
 const FOREHEAD: Region = { left: 0.35, top: 0.2, right: 0.65, bottom: 0.38 }
 
 const browser = useBrowser()
@@ -46,7 +46,7 @@ afterAll(async () => {
   await site?.close()
 })
 
-/** Opens a page of the site. All of its requests must succeed and stay on the site. */
+/** Opens a page of the site. Fails if a request fails or leaves the site. */
 async function withPage(path: string, options: object, work: (page: Page) => Promise<void>): Promise<void> {
   const { page, complaints } = await openPage(browser(), options)
   page.on('request', (request) => {
@@ -68,12 +68,12 @@ async function mounted(page: Page): Promise<void> {
   await page.waitForFunction(() => '__vue_app__' in document.getElementById('app')!)
 }
 
-/** Takes a picture of the face's square on the first page. */
+/** Takes a picture of the face on the first page. */
 async function faceOf(page: Page): Promise<CanvasPixels> {
   return pixelsOf(await page.locator('.stage .face').screenshot())
 }
 
-/** Takes a picture of the face at rest, once two frames are equal. */
+/** Takes pictures of the face until two consecutive ones are equal, and returns the last. */
 async function settled(page: Page): Promise<CanvasPixels> {
   let last = await faceOf(page)
   for (;;) {
@@ -89,7 +89,7 @@ async function threeFrames(): Promise<void> {
 }
 
 describe('the built site, under another path', () => {
-  it.each(PAGES)('requests nothing missing or external, and fits a phone: %s', async (path) => {
+  it.each(PAGES)('%s requests no missing or external file, and fits a phone', async (path) => {
     await withPage(path, { viewport: PHONE }, async (page) => {
       await page.waitForLoadState('networkidle')
       expect(await page.locator('h1').first().innerText()).not.toBe('404')
@@ -97,12 +97,12 @@ describe('the built site, under another path', () => {
     })
   })
 
-  it('has no host-absolute links', () => {
+  it('has no links that begin with a slash', () => {
     const pages = readdirSync(DIST, { recursive: true, encoding: 'utf8' }).filter((path) =>
       path.endsWith('.html'),
     )
     expect(pages.length).toBeGreaterThan(50)
-    // The not-found page may be served at any path, so its links must be absolute.
+    // A server may return the not-found page for any path, so links in that page must be absolute.
     const wrong = pages
       .filter((path) => path !== '404.html')
       .flatMap((path) => {
@@ -133,7 +133,7 @@ describe('the built site, under another path', () => {
 describe('the first page', () => {
   it('shows a face that wrinkles under the pointer', async () => {
     await withPage('', { viewport: DESKTOP }, async (page) => {
-      // Until then the poster is shown, and nothing is drawn.
+      // Before the first input the page shows a still image and draws nothing.
       expect(await page.locator('canvas.drawn').count()).toBe(0)
       await mounted(page)
       const { x, y, width, height } = (await page.locator('.stage .face').boundingBox())!
@@ -146,7 +146,7 @@ describe('the first page', () => {
       expect(contrast(surprised)).toBeGreaterThan(100)
       expect(largestDifference(surprised, smooth, FOREHEAD)).toBeGreaterThan(20)
       await page.getByLabel('wrinkles', { exact: true }).check()
-      // The middle of the face is neutral.
+      // A pointer on the middle of the face gives the neutral expression.
       await page.mouse.move(x + width / 2, y + height / 2)
       const neutral = await settled(page)
       expect(largestDifference(surprised, neutral, FOREHEAD)).toBeGreaterThan(20)
@@ -165,7 +165,7 @@ describe('the first page', () => {
       const wrinkled = await settled(page)
       await page.getByLabel('wrinkles', { exact: true }).focus()
       await page.keyboard.press('Space')
-      // This avatar is white, and its wrinkles are faint.
+      // The avatar is white, so its wrinkles are faint.
       expect(largestDifference(wrinkled, await settled(page), WHOLE)).toBeGreaterThan(4)
     })
   })
@@ -180,7 +180,7 @@ describe('the first page', () => {
     })
   })
 
-  it('keeps the poster, and says so, without WebGL', async () => {
+  it('keeps the still image without WebGL, and says why', async () => {
     const { page } = await openPage(browser(), { viewport: DESKTOP })
     await page.addInitScript(() => {
       HTMLCanvasElement.prototype.getContext = () => null
@@ -193,7 +193,7 @@ describe('the first page', () => {
     await page.context().close()
   })
 
-  it('shows its text and the poster without JavaScript', async () => {
+  it('shows its text and the still image without JavaScript', async () => {
     await withPage('', { viewport: DESKTOP, javaScriptEnabled: false }, async (page) => {
       expect(await page.locator('h1').innerText()).toContain('Wrinkles')
       expect(contrast(await faceOf(page))).toBeGreaterThan(100)
@@ -204,14 +204,14 @@ describe('the first page', () => {
 describe('the pages', () => {
   it('run an example next to its source', async () => {
     await withPage('examples/minimal.html', { viewport: DESKTOP }, async (page) => {
-      expect(await page.locator('.language-html').innerText()).toContain('WrinkleLoaderPlugin')
+      expect(await page.locator('.language-html').innerText()).toContain('extendLoader')
       const canvas = page.frameLocator('.live iframe').locator('canvas')
       await canvas.waitFor()
       await expect.poll(async () => contrast(await pixelsOf(await canvas.screenshot()))).toBeGreaterThan(100)
     })
   })
 
-  it('show a picture of each example, filter them, and open one by keyboard', async () => {
+  it('list the examples with pictures, filter them, and open one by keyboard', async () => {
     await withPage('examples/', { viewport: DESKTOP }, async (page) => {
       await mounted(page)
       const cards = page.locator('.cards a')
@@ -226,7 +226,7 @@ describe('the pages', () => {
     })
   })
 
-  it('find a word', async () => {
+  it('have a search that finds a word', async () => {
     await withPage('docs/guide.html', { viewport: DESKTOP }, async (page) => {
       await page.getByRole('button', { name: 'Search' }).click()
       await page.locator('input[type=search]').fill('haemoglobin')
@@ -253,8 +253,11 @@ describe('the pages', () => {
   })
 
   it('open the studio', async () => {
-    await withPage('docs/guide.html', { viewport: DESKTOP }, async (page) => {
-      await page.getByRole('link', { name: 'Studio' }).last().click()
+    // In a narrower window, the link is in a menu.
+    const viewport = { width: 1280, height: 640 }
+    await withPage('docs/guide.html', { viewport }, async (page) => {
+      const navigation = page.getByRole('navigation', { name: 'Main Navigation' })
+      await navigation.getByRole('link', { name: 'Studio', exact: true }).click()
       await page.locator('#viewport canvas').waitFor()
       expect(page.url()).toBe(`${site.address}studio/index.html`)
     })

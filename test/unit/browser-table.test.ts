@@ -2,7 +2,7 @@ import { expect, it } from 'vitest'
 import { browserTable, readMeasured } from '../../scripts/lib/browser-table.mjs'
 import { readTable } from '../../scripts/lib/marked-table.mjs'
 
-it("README's table of browsers equals the measurements", () => {
+it('the table of browsers in README.md equals the measurements', () => {
   const measured = readMeasured()
   expect(Object.keys(measured)).toEqual(['chromium', 'firefox', 'webkit'])
   expect(readTable('README.md', 'browsers')).toEqual(browserTable(measured))

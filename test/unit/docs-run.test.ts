@@ -10,7 +10,7 @@ import { seeded } from '../random.ts'
 
 const ROOT = fileURLToPath(new URL('../..', import.meta.url))
 
-/** Examples as files for Vite to compile; ignored by git. */
+/** Folder to which examples are written, for Vite to compile. Git ignores it. */
 const FOLDER = join(ROOT, 'test/output/docs-run')
 beforeAll(() => mkdirSync(FOLDER, { recursive: true }))
 afterAll(() => rmSync(FOLDER, { recursive: true, force: true }))
@@ -18,7 +18,7 @@ afterEach(() => vi.restoreAllMocks())
 
 const read = (page: string) => readFileSync(join(ROOT, page), 'utf8')
 
-/** Loads the example of a page that exports a function, as a module. */
+/** Loads, as a module, the example on a page that exports a function of this name. */
 async function example(page: string, name: string) {
   const texts = [...read(page).matchAll(/^```ts\n([\s\S]*?)^```$/gm)].map(([, text]) => text)
   const text = texts.find((each) => each.includes(`export function ${name}(`))
@@ -28,7 +28,7 @@ async function example(page: string, name: string) {
   return (await import(/* @vite-ignore */ file))[name]
 }
 
-/** Areas of the shipped face, and of `furrow auto`'s regions. */
+/** Names of the areas of the shipped face, and of the areas that `furrow auto` makes. */
 const AREAS: string[] = JSON.parse(read('faces/human/wrinkles.json')).areas.map(
   (area: { name: string }) => area.name,
 )
@@ -38,7 +38,7 @@ function set(): WrinkleSet {
   return { layers, areas: AREAS.map((name) => ({ ...areas[0], name })) }
 }
 
-/** Makes a face with the blendshapes of the presets. */
+/** Makes a face with the blendshapes that the preset expressions use. */
 function face() {
   const mesh = blendMesh(...new Set(EXPRESSIONS.flatMap(({ targets }) => Object.keys(targets))))
   return { mesh, wrinkles: new Wrinkles(mesh, set()) }
@@ -71,12 +71,6 @@ describe('examples of the documentation run', () => {
     expect(wrinkles.getActivation('nose')).toBe(1)
   })
 
-  it('drivers: hear sets an input', async () => {
-    const { wrinkles } = face()
-    ;(await example('docs/drivers.md', 'hear'))(wrinkles, 70)
-    expect(wrinkles.inputs.get('loudness')).toBe(70)
-  })
-
   it('three: raiseBrow activates an area', async () => {
     const { wrinkles } = face()
     ;(await example('docs/three.md', 'raiseBrow'))(wrinkles, 0.5)
@@ -93,7 +87,7 @@ describe('examples of the documentation run', () => {
   it('name only areas of the shipped face', () => {
     for (const page of ['docs/babylon.md', 'docs/crowds.md', 'docs/three.md']) {
       const names = [...read(page).matchAll(/setActivation\('(\w+)'/g)].map(([, name]) => name)
-      // The example adds `scar` itself.
+      // `scar` is an area that the example adds.
       expect(AREAS, page).toEqual(expect.arrayContaining(names.filter((name) => name !== 'scar')))
     }
   })

@@ -20,7 +20,7 @@ const PAGES = [
     .map((file) => `docs/${file}`),
 ]
 
-/** Pages of the API reference. */
+/** Pages of the generated API reference. */
 const REFERENCE = [
   'README.md',
   ...Object.keys(JSON.parse(readFileSync(join(ROOT, 'packages/furrow/package.json'), 'utf8')).exports).map(
@@ -30,7 +30,7 @@ const REFERENCE = [
 
 const read = (path: string) => readFileSync(join(ROOT, path), 'utf8')
 
-/** Returns the fenced blocks of one language on one page. */
+/** Returns the fenced code blocks of one language on a page. */
 function blocks(page: string, language: string): string[] {
   return [...read(page).matchAll(new RegExp(`^\`\`\`${language}\n([\\s\\S]*?)^\`\`\`$`, 'gm'))].map(
     (match) => match[1],
@@ -38,7 +38,7 @@ function blocks(page: string, language: string): string[] {
 }
 
 describe('documentation', () => {
-  it('has the minimal page in the README, except its lines for the gallery, in at most 25 lines', () => {
+  it('shows examples/minimal.html in the README, without its meta tags, in at most 25 lines', () => {
     const page = read('examples/minimal.html').replace(/<meta name="(description|keywords|group)".*\n/g, '')
     expect(blocks('README.md', 'html')).toEqual([page])
     expect(page.trimEnd().split('\n').length).toBeLessThanOrEqual(25)
@@ -56,7 +56,7 @@ describe('documentation', () => {
     )
     expect(recipes).toHaveLength(2)
     const errors = await compile(new Map([...plain, ...react, ...recipes]))
-    // A recipe's template uses its script's declarations.
+    // Ignores unused declarations in recipes, because the template of the component uses them.
     expect(errors.filter((line) => !/recipe-.*: error TS(6133|6192|6196):/.test(line))).toEqual([])
   })
 
@@ -68,14 +68,14 @@ describe('documentation', () => {
     ])
   })
 
-  it.each(PAGES)('%s never makes npx ask whether to download an uninstalled package', (page) => {
+  it.each(PAGES)('%s passes --yes wherever npx may download a package', (page) => {
     expect(read(page)).not.toMatch(/npx (?=\S*(furrow-cli|http-server))(?!--yes )/)
   })
 
   it.each(PAGES)('%s links to existing files', (page) => {
     const links = [...read(page).matchAll(/\]\((?!https?:|#)([^)#]+)\)/g)].map((match) => match[1])
     for (const link of links) {
-      // The reference is generated, with a page per entry point of the package.
+      // The API reference is generated and not in the repository. It has a page per entry point.
       if (/^(\.\.\/|\.\/)*(docs\/)?api\//.test(link)) {
         expect(REFERENCE, `${page}: ${link}`).toContain(link.replace(/^.*api\//, ''))
         continue
@@ -93,13 +93,13 @@ describe('documentation', () => {
   })
 })
 
-/** Folders that paths in documents are relative to. */
+/** Folders to which paths in documents may be relative, besides the folder of the document. */
 const SOURCE_ROOTS = ['', 'packages/furrow/src']
 
-/** Paths created by builds. */
+/** Paths that exist only after a build. */
 const GENERATED = /^(docs\/(api|.*\.html)|site\/dist|faces\/\.venv|blender\/\.venv)/
 
-/** Finds paths of the repository among a page's code spans: in one of its folders, or of a source file. */
+/** Finds a page's code spans that are paths in the repository: they begin with one of its folders, or name a source file. */
 function pathsIn(page: string): string[] {
   const folders = readdirSync(ROOT).filter((name) => name !== 'node_modules')
   return [...read(page).matchAll(/`([\w.@<>*-]+(?:\/[\w.@<>*-]+)+)\/?`/g)]
@@ -113,19 +113,19 @@ function isPresent(path: string): boolean {
   return existsSync(path.replace(/\/[^/]*[*<].*$/, ''))
 }
 
-/** Returns all blocks of one language by the file names that they are compiled as. */
+/** Returns all code blocks of one language, by the file name under which they are compiled. */
 function examplesIn(language: string): Map<string, string> {
   const name = (page: string, i: number) => `${page.replaceAll('/', '-')}-${i}.${language}`
   return new Map(PAGES.flatMap((page) => blocks(page, language).map((text, i) => [name(page, i), text])))
 }
 
-/** Type-checks texts as files of the project. Returns the compiler's output lines. */
+/** Type-checks texts as files of the project. Returns the lines that the compiler prints. */
 async function compile(files: Map<string, string>): Promise<string[]> {
   const folder = mkdtempSync(join(ROOT, 'test/unit/.examples-'))
   try {
     for (const [name, text] of files) writeFileSync(join(folder, name), text)
     const compilerOptions = { jsxImportSource: 'react' }
-    // Explicit, because patterns skip folders whose name begins with a dot.
+    // Lists the files, because patterns skip folders whose name begins with a dot.
     const config = {
       extends: '../../../tsconfig.json',
       compilerOptions,

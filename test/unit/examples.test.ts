@@ -11,7 +11,7 @@ it('the folder of examples and the table of test/pages/examples.ts have the same
   expect([...new Set(EXAMPLES.map(({ page }) => page))].sort()).toEqual(names)
 })
 
-it('every example that the common test skips has a test file of its own', () => {
+it('every example that the test of all examples skips names an existing test file', () => {
   for (const { test } of EXAMPLES) {
     if (test) expect(existsSync(fileURLToPath(new URL(`../pages/${test}`, import.meta.url)))).toBe(true)
   }
@@ -29,7 +29,7 @@ it.each(names)('%s has under 80 lines', (name) => {
   expect(readExample(name).source.trimEnd().split('\n').length).toBeLessThan(80)
 })
 
-it('every example has a picture of at most 30 kB: npm run figures -- examples takes them', () => {
+it('every example has a picture of at most 30 kB, made by npm run figures -- examples', () => {
   expect(readdirSync(`${FOLDER}pictures`).sort()).toEqual(names.map((name) => `${name}.jpg`).sort())
   for (const name of names) expect(statSync(`${FOLDER}pictures/${name}.jpg`).size, name).toBeLessThan(30e3)
 })

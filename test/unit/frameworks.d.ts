@@ -1,4 +1,4 @@
-// Signatures used by docs/frameworks.md, as the packages declare them. Installing Svelte and Vue for two calls would take minutes.
+// Signatures that docs/frameworks.md uses, copied from the packages: installing them for two calls would take minutes.
 
 /** @threlte/core 8.6.0, dist/hooks/useLoader.d.ts */
 declare module '@threlte/core' {

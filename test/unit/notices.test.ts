@@ -10,7 +10,7 @@ const ROOT = fileURLToPath(new URL('../..', import.meta.url))
 const CLI = join(ROOT, 'packages/cli')
 const COMMITTED = readFileSync(join(CLI, 'THIRD_PARTY_NOTICES.md'), 'utf8')
 
-it('the notices of furrow-cli are those of the installed packages', async () => {
+it('the notices of furrow-cli equal those collected from the installed packages', async () => {
   const folder = mkdtempSync(join(tmpdir(), 'furrow-notices-'))
   try {
     const file = join(folder, 'notices.md')

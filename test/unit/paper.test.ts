@@ -6,7 +6,7 @@ import { describe, expect, it } from 'vitest'
 const DOCS = fileURLToPath(new URL('../../docs/', import.meta.url))
 const page = readFileSync(`${DOCS}paper.md`, 'utf8')
 
-/** Cells of all tables whose last columns are `code` and `test`. */
+/** Returns the rows, as cells, of all tables whose last columns are `code` and `test`. */
 function rows(): string[][] {
   const tables = page.match(/(?:^\|.*\|\n)+/gm) ?? []
   return tables

@@ -8,13 +8,13 @@ import { drawRooms } from '../../scripts/lib/room-graph.mjs'
 const ROOT = fileURLToPath(new URL('../../', import.meta.url))
 const LIBRARY = 'packages/furrow/src'
 
-/** Folders with rooms. Their files outside rooms are entry points, which may import any room. */
+/** Folders whose subfolders are rooms. A room has a list of allowed imports. Files outside rooms are entry points and may import any room. */
 const HOMES = [LIBRARY, 'packages/files/src', 'packages/cli/src', 'studio/src', 'stage']
 
-/** Entry point for the workspace only, which imports any room. */
+/** Entry point that only this repository uses. It may import any room. */
 const INTERNAL = 'packages/furrow/internal'
 
-/** Folders with code, in which no imports may be circular. */
+/** Folders with code. No imports in them may be circular. */
 const CODE = ['packages', 'studio', 'stage', 'bench', 'conformance', 'examples', 'site', 'scripts', 'test']
 
 const readJson = (path: string) => JSON.parse(readFileSync(join(ROOT, path), 'utf8'))
@@ -23,7 +23,7 @@ const PUBLIC = Object.keys(readJson('packages/furrow/package.json').exports).map
 )
 const PLATFORMS: Record<string, Record<string, string>> = readJson('packages/files/package.json').imports
 
-/** Imports that differ by platform count as those of every platform. */
+/** All source files with their imports. An import that differs between Node and browsers counts as both. */
 const sources = readImports(CODE).map(({ path, imports }) => ({
   path,
   imports: imports.flatMap((name) => {
@@ -35,7 +35,7 @@ const importsOf = new Map(sources.map(({ path, imports }) => [path, imports]))
 
 const homeOf = (path: string) => HOMES.find((home) => path.startsWith(`${home}/`))
 
-/** Reads the tables of docs/architecture: each room, and the rooms and packages that it may import. */
+/** Reads the tables of docs/architecture.md. Returns, by room, the rooms and packages that it may import. */
 function allowedImports(): Map<string, string[]> {
   const page = readFileSync(join(ROOT, 'docs/architecture.md'), 'utf8')
   const rows = page.matchAll(/^\| `((?:packages\/|studio\/|stage)[\w/]*)` \| [^|]+ \| ([^|]+) \|$/gm)
@@ -47,7 +47,7 @@ function allowedImports(): Map<string, string[]> {
 const allowed = allowedImports()
 const rooms = [...allowed].filter(([room]) => room !== INTERNAL)
 
-/** Returns the room of a file: the deepest folder named in the tables. Entry points belong to none. */
+/** Returns the room of a file: the deepest folder named in the tables, or undefined for entry points. */
 function roomOf(path: string): string | undefined {
   const own = [...allowed.keys()].filter((room) => path.startsWith(`${room}/`) || path === `${room}.ts`)
   const room = own.sort((a, b) => b.length - a.length)[0]
@@ -56,12 +56,12 @@ function roomOf(path: string): string | undefined {
 
 function isEntry(path: string, room: string | undefined): boolean {
   if (room === undefined || path === `${LIBRARY}/three/index.ts`) return true
-  // Files at the top of a package that import its rooms.
+  // A file at the top of a package is an entry point if it imports a room of the package.
   if (dirname(path) !== room || !HOMES.includes(room)) return false
   return (importsOf.get(path) ?? []).some((name) => name.startsWith(`${room}/`) && dirname(name) !== room)
 }
 
-/** Tells whether a room may import a file, or a name as written. */
+/** Tells whether a room may import a file or a package. */
 function isAllowed(room: string, name: string): boolean {
   const home = homeOf(`${room}/`)!
   const others = allowed.get(room)!
@@ -71,11 +71,11 @@ function isAllowed(room: string, name: string): boolean {
   }
   if (name.startsWith('.') || /^furrow\b/.test(name))
     return others.includes(name) || (home !== LIBRARY && [...PUBLIC, 'furrow/internal'].includes(name))
-  // The table lists other packages only for the library.
+  // The tables list other packages only for the rooms of the library.
   return home !== LIBRARY || others.includes(name.replace(/^((?:@[^/]+\/)?[^/]+).*$/, '$1'))
 }
 
-/** Finds cycles in a graph, each as its nodes in order. */
+/** Finds the cycles in a graph. Returns the nodes of each cycle in order. */
 function circlesIn(graph: ReadonlyMap<string, readonly string[]>): string[] {
   const done = new Set<string>()
   const circles: string[] = []
@@ -90,11 +90,22 @@ function circlesIn(graph: ReadonlyMap<string, readonly string[]>): string[] {
   return circles
 }
 
-/** Rooms within a room, in the direction of the data. Each imports only from earlier ones, and the folder's shared files. */
+/** Subfolders of rooms, in order. A subfolder may import only from earlier subfolders, and from the files in `shared`. */
 const WITHIN = [
   {
     folder: 'author/auto',
-    rooms: ['surface', 'anatomy', 'strain', 'lines', 'fit', 'raster', 'blood', 'furrows'],
+    rooms: [
+      'surface',
+      'buckling',
+      'anatomy',
+      'strain',
+      'lines',
+      'fit',
+      'raster',
+      'blood',
+      'bulges',
+      'furrows',
+    ],
     shared: [],
   },
   {
@@ -128,7 +139,7 @@ describe('the rooms', () => {
     expect(wrong).toEqual([])
   })
 
-  it.each(WITHIN)('in $folder import only earlier ones', ({ folder, rooms, shared }) => {
+  it.each(WITHIN)('in $folder import only earlier subfolders', ({ folder, rooms, shared }) => {
     const home = `${LIBRARY}/${folder}`
     const folders = readdirSync(join(ROOT, home), { withFileTypes: true })
     expect(folders.filter((entry) => entry.isDirectory()).map(({ name }) => name)).toEqual([...rooms].sort())
@@ -157,7 +168,7 @@ describe('the rooms', () => {
     expect(circlesIn(graph)).toEqual([])
   })
 
-  it('reach no file of another package past its entry points', () => {
+  it('import other packages only by their entry points', () => {
     const packageOf = (path: string) => /^(packages\/\w+|studio)\//.exec(path)?.[1]
     const wrong = sources
       .filter(({ path }) => /^(packages|studio|stage|conformance|examples)\/(?!.*\.config\.ts$)/.test(path))
@@ -170,11 +181,11 @@ describe('the rooms', () => {
   })
 })
 
-it('are drawn in the picture from their imports', async () => {
+it('the picture of the imports between rooms is up to date', async () => {
   const picture = readFileSync(join(ROOT, 'docs/figures/rooms.svg'), 'utf8')
   expect(picture, 'npm run rooms draws it').toBe(await drawRooms())
 })
 
-it('have no circular imports between files', () => {
+it('no files import each other in a circle', () => {
   expect(circlesIn(importsOf)).toEqual([])
 })

@@ -34,7 +34,7 @@ it.each([...PROMISES, ...MORE_CASES])('%s exists, and npm test runs it', (file) 
   expect(tests.filter((test) => test.file === file && isQuick(test))).toHaveLength(1)
 })
 
-it('with a time limit each test gets its turn', () => {
+it('with a time limit, the order of the tests still contains each test once', () => {
   const key = ({ project, file }: TestFile) => `${project} ${file}`
   expect(changedFirst(tests).map(key).sort()).toEqual(tests.map(key).sort())
 })

@@ -12,13 +12,13 @@ import {
   withHashes,
 } from '../fixtures/observe.ts'
 
-/** Users' files, see the README.md there. */
+/** Files that an earlier version wrote, see the README.md there. */
 const FILES = fileURLToPath(new URL('../fixtures/files-2026-11/', import.meta.url))
 
 const faces = readdirSync(FILES, { recursive: true, encoding: 'utf8' }).filter((path) => {
   return /\.(glb|vrm)$/.test(path) && !path.endsWith('face.glb')
 })
-/** Folders, and the face that each packs to. */
+/** Folders of wrinkles, each with the face that it is packed to. */
 const folders = [
   ['drawn', 'drawn.glb'],
   ['unpacked/painted', 'painted.glb'],
@@ -29,26 +29,26 @@ it.each(faces)('%s has the same meaning as when it was written', async (path) =>
   await expectRecorded(path, await observeFace(join(FILES, path)))
 })
 
-it.each(folders)('the folder %s packs to %s', async (folder, face) => {
+it.each(folders)('the folder %s is packed to %s with the recorded content', async (folder, face) => {
   await expectRecorded(face, await observePacked(join(FILES, folder)))
 })
 
-it.each(folders)('the folder %s opens in the studio as before', async (folder) => {
+it.each(folders)('the folder %s opens in the studio with the recorded content', async (folder) => {
   await expectRecorded(`${folder}-project`, await observeProject(filesOf(join(FILES, folder))))
 })
 
-it('strokes.json is drawn as before, within one level', async () => {
+it('strokes.json is drawn as recorded, within one of 255 levels', async () => {
   const differences = Object.entries(await differencesOfDrawing(join(FILES, 'drawn')))
   expect(differences.length).toBe(11)
   expect(differences.filter(([, most]) => most > 1)).toEqual([])
 })
 
-it('a downloaded project opens as before', async () => {
+it('a downloaded project opens with the recorded content', async () => {
   const zip = new Blob([readFileSync(join(FILES, 'studio/project.zip'))])
   await expectRecorded('studio/project', await observeProject(await unzipFolder(zip, 'project.zip')))
 })
 
-it('a project in the browser opens as before', async () => {
+it('a project in the browser opens with the recorded content', async () => {
   const { documents, images, projects } = JSON.parse(readFileSync(join(FILES, 'studio/records.json'), 'utf8'))
   const bytes = (text: string) => new Uint8Array(Buffer.from(text, 'base64'))
   const records = images.map((image: { bytes?: string; data: string }, i: number) => [
@@ -78,7 +78,7 @@ async function expectRecorded(name: string, observed: object): Promise<void> {
   await expect(`${text(observed)}\n`).toMatchFileSnapshot(recorded)
 }
 
-/** Formats JSON with numbers to six digits, and short values on one line. */
+/** Formats JSON with numbers of six digits, and short values on one line. */
 function text(value: unknown, indent = ''): string {
   if (typeof value === 'number') return String(Number(value.toPrecision(6)))
   if (typeof value !== 'object' || value === null) return JSON.stringify(value)

@@ -3,7 +3,7 @@ import type { BrowserKind } from './driven-browser.ts'
 import { firefox } from './firefox.ts'
 import { webkit } from './webkit.ts'
 
-/** Includes Chromium, which all other tests run in, as the baseline of `npm run browsers`. */
+/** Browsers to test. `npm run browsers` also tests Chromium, for comparison. */
 const KINDS: readonly BrowserKind[] = [
   firefox,
   webkit,

@@ -1,7 +1,6 @@
 import { launchBrowser } from '../../../packages/cli/src/browser.ts'
 import type { BrowserKind } from './driven-browser.ts'
 
-/** WebDriver action. */
 interface Action {
   type: string
   x: number

@@ -1,12 +1,12 @@
 import type { ChildProcess } from 'node:child_process'
 
-/** How to start a browser. */
+/** A browser and the function that starts it. */
 export interface BrowserKind {
   name: 'chromium' | 'firefox' | 'webkit'
   launch(start: Start): Promise<DrivenBrowser>
 }
 
-/** Starts programs on a browser's own display and in its own folder. Both are removed with the browser. */
+/** Starts programs on a virtual display and in a temporary folder. Both are created for one browser and removed when it closes. */
 export interface Start {
   folder: string
   run(program: string, words: string[], env?: Record<string, string>): ChildProcess
@@ -33,7 +33,7 @@ export interface DrivenBrowser {
 /** Time limit for starting a browser, milliseconds. */
 const STARTING = 60_000
 
-/** Waits until a program prints a text, and returns the first capture group. */
+/** Waits until a program prints text that matches an expression. Returns the first capture group. */
 export function outputOf(child: ChildProcess, stream: 'stdout' | 'stderr', text: RegExp): Promise<string> {
   return new Promise((resolve, reject) => {
     let output = ''

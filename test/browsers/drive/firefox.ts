@@ -13,7 +13,7 @@ const PREFERENCES = {
   'app.update.enabled': false,
   'network.captive-portal-service.enabled': false,
   'network.connectivity-service.enabled': false,
-  // Long scripts must not be interrupted.
+  // Firefox must not interrupt long scripts.
   'dom.max_script_run_time': 0,
   'dom.ipc.reportProcessHangs': false,
 }

@@ -4,18 +4,21 @@ import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { type BrowserKind, type DrivenBrowser, outputOf, type Start } from './driven-browser.ts'
 
-/** Larger than any test window plus the browser's toolbars. */
+/** Size and colour depth of the virtual display, larger than any tested window with its toolbars. */
 const SCREEN = '1600x1300x24'
 
-/** Mesa's software rasteriser. Its fast path for 8-bit textures filters with 8 bits, less than tests allow, so it is disabled. */
+/**
+ * Environment that selects Mesa's software rasteriser, and disables its fast path for 8-bit textures: that path rounds
+ * filtered values to 8 bits, and the tests need more.
+ */
 const SOFTWARE = { LIBGL_ALWAYS_SOFTWARE: '1', GALLIVM_PERF: 'no_aos_sampling' }
 
-/** Starts a browser on its own display. The caller must close it. */
+/** Starts a browser on a virtual display. The caller must close the browser. */
 export async function launch({ name, launch: start }: BrowserKind): Promise<DrivenBrowser> {
   const folder = mkdtempSync(join(tmpdir(), `furrow-${name}-`))
   const children: ChildProcess[] = []
   const end = () => {
-    // Ends process groups, because a browser is several processes.
+    // A browser is several processes, so end their complete group.
     for (const { pid } of children.toReversed()) if (pid) endGroup(pid)
     rmSync(folder, { recursive: true, force: true, maxRetries: 5 })
   }

@@ -2,7 +2,7 @@ import { createServer } from 'node:net'
 import { MINI_BROWSER } from '../../../scripts/lib/other-browsers.mjs'
 import type { BrowserKind } from './driven-browser.ts'
 
-/** Interval between attempts to reach the driver, and the time limit, milliseconds. */
+/** Interval between attempts to reach WebKit's driver, and time limit for the first success, milliseconds. */
 const STEP = 100
 const STARTING = 60_000
 
@@ -65,7 +65,7 @@ async function send(port: number, method: string, path: string, body?: object): 
   return value
 }
 
-/** Retries until the driver answers. */
+/** Repeats a request until WebKit's driver answers. */
 async function whenReady<T>(ask: () => Promise<T>): Promise<T> {
   const until = Date.now() + STARTING
   for (;;) {

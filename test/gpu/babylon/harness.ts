@@ -19,7 +19,7 @@ export type EngineName = (typeof ENGINES)[number]
 export interface BabylonHarness {
   name: EngineName
   engine: Engine | WebGPUEngine
-  /** Creates an empty scene with a camera that `square` fills. */
+  /** Creates an empty scene and a camera. The mesh of `square` fills the picture. */
   createScene(): Scene
   /** Renders a scene and reads it back: linear RGBA, floats, row 0 at the bottom. */
   render(scene: Scene, width: number, height?: number): Promise<Float32Array>
@@ -29,8 +29,8 @@ export interface BabylonHarness {
 }
 
 /**
- * WebGPU error of a lost frame. A busy browser may take back the canvas texture, 300 x 150 by default, before a frame
- * that clears it is submitted. The GPU then drops the complete frame, including render targets.
+ * Matches the WebGPU error of a lost frame. Every frame clears the texture of the canvas (300 x 150 pixels). A busy browser
+ * may destroy this texture before the frame is submitted. Then the GPU drops the complete frame, including render targets.
  */
 const LOST_CANVAS = /Destroyed texture \[Texture \(unlabeled 300x150 px/
 const ATTEMPTS = 3
@@ -43,7 +43,7 @@ export function harnessOn(name: EngineName): BabylonHarness {
   return harness
 }
 
-/** The reference is bilinear, and pictures are read after the first frame. */
+/** Disables anisotropic filtering, which the reference lacks. Disables parallel shader compilation, because tests read the first frame. */
 function limitCaps(engine: Engine | WebGPUEngine): void {
   Object.assign(engine.getCaps(), { maxAnisotropy: 1, parallelShaderCompile: undefined })
 }
@@ -73,7 +73,7 @@ export async function createHarness(name: EngineName): Promise<BabylonHarness> {
     createScene() {
       const scene = new Scene(engine)
       scene.clearColor = new Color4(0, 0, 0, 0)
-      // Keeps colours linear, without tone mapping.
+      // Leaves tone mapping and gamma to post processing. The scene has no post processing, so colours stay linear.
       scene.imageProcessingConfiguration.applyByPostProcess = true
       const camera = new FreeCamera('camera', new Vector3(0, 0, -5), scene)
       camera.mode = Camera.ORTHOGRAPHIC_CAMERA
@@ -101,12 +101,12 @@ export async function createHarness(name: EngineName): Promise<BabylonHarness> {
     })
     const camera = scene.activeCamera!
     camera.outputRenderTarget = target
-    // Each render target has its own programs. Babylon.js waits only for those of the camera; others compile during the frame.
+    // `whenReadyAsync` waits only for the programs of the camera's render pass, but each render target has its own programs.
     const { renderPassId } = camera
     camera.renderPassId = target.renderPassId
     await scene.whenReadyAsync(true)
     camera.renderPassId = renderPassId
-    // Waiting inside a frame loses the canvas texture on WebGPU.
+    // On WebGPU the canvas texture is lost if the code awaits between beginFrame and endFrame.
     engine.beginFrame()
     scene.render()
     engine.endFrame()
@@ -117,13 +117,13 @@ export async function createHarness(name: EngineName): Promise<BabylonHarness> {
   }
 }
 
-/** Disposes of a scene when it is ready. Babylon.js 8 fails if it prepares its own textures after disposal. */
+/** Waits until a scene is ready, and disposes of it. Babylon.js 8 throws if the scene's textures load after the disposal. */
 export async function disposeScene(scene: Scene): Promise<void> {
   if (!scene.isDisposed) await scene.whenReadyAsync()
   scene.dispose()
 }
 
-/** Redraws the scene's influence maps with the next frame, because a lost frame loses them too. */
+/** Makes the next frame redraw the influence maps of a scene, because they were drawn in the lost frame. */
 function redrawInfluence({ materials }: Scene): void {
   for (const { pluginManager } of materials) {
     const plugin = pluginManager?.getPlugin<WrinklePlugin>(WrinklePlugin.NAME)

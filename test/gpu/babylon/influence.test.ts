@@ -29,7 +29,7 @@ const CASES = casesIn(200)
 const PIXELS = 32
 const AREA = 32
 
-/** Roughness in Babylon.js's debug modes; not normalised, not gamma-encoded. */
+/** Debug mode of Babylon.js that shows the roughness. */
 const SHOW_ROUGHNESS = 63
 
 describe.each(ENGINES)('influence in Babylon.js on %s', (name) => {
@@ -40,7 +40,7 @@ describe.each(ENGINES)('influence in Babylon.js on %s', (name) => {
     const random = seeded(2008)
     const scene = harness.createScene()
     let worst = 0
-    // Dispose after the next draw, so that the engine keeps the shared program.
+    // Disposes of a case only after the next one is drawn, so that the engine keeps the program that all cases use.
     let release = () => {}
     for (let i = 0; i < CASES; i++) {
       const count = 1 + Math.floor(random() * 64)
@@ -88,7 +88,7 @@ function edgeMesh(scene: Scene, material: PBRMaterial): Mesh {
   const mesh = new Mesh('edges', scene)
   const { positions, uvs, triangles } = edgeSquares()
   const data = new VertexData()
-  // The camera looks along +z.
+  // Normals face the camera, which looks along +z.
   Object.assign(data, {
     positions,
     uvs,
@@ -100,7 +100,7 @@ function edgeMesh(scene: Scene, material: PBRMaterial): Mesh {
   return mesh
 }
 
-/** Sets the roughness of fully wrinkled skin to 0, so that the remaining roughness is 1 minus the influence. */
+/** Returns a set whose fully wrinkled skin has roughness 0, so that the roughness of the square is 1 - influence. */
 function smooth({ layers: [layer], areas }: WrinkleSet): WrinkleSet {
   const { width, height } = layer.normal as GrayImage
   return { layers: [{ ...layer, roughness: { width, height, data: new Uint8Array(width * height) } }], areas }

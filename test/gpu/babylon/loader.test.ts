@@ -26,7 +26,7 @@ async function load(scene: Scene, file: Uint8Array) {
   return container
 }
 
-/** Creates a lit scene, seen from the front of glTF faces. */
+/** Creates a scene with a light, and a camera that sees glTF faces from the front. */
 function litScene(harness: BabylonHarness): Scene {
   const scene = harness.createScene()
   const camera = scene.activeCamera as FreeCamera
@@ -58,7 +58,7 @@ describe.each(ENGINES)('a file with wrinkles in Babylon.js on %s', (name) => {
   }
   const picture = () => harness.render(scene, PIXELS)
 
-  it("leaves eyes that share the skin's material plain", async () => {
+  it('adds no wrinkles to eyes that share the material of the skin', async () => {
     const { meshes } = await open(undefined, addEyes)
     const wrinkled = meshes.filter((mesh) => wrinklesOf(mesh)).map(({ name }) => name)
     expect(new Set(wrinkled)).toEqual(new Set(['face_primitive0', 'face_primitive1']))
@@ -75,7 +75,7 @@ describe.each(ENGINES)('a file with wrinkles in Babylon.js on %s', (name) => {
     expect(written.warn).not.toHaveBeenCalled()
   })
 
-  it('finds blendshapes whose names the mesh spells differently, also on copies', async () => {
+  it('finds blendshapes in other spellings, also on copies', async () => {
     const container = await open(
       () => {},
       (json) => {
@@ -150,7 +150,7 @@ describe.each(ENGINES)('a file with wrinkles in Babylon.js on %s', (name) => {
     )
   })
 
-  it('gives thin instances their own cells', async () => {
+  it('gives each thin instance its own activations', async () => {
     const container = await open()
     const [, left, right] = container.meshes as Mesh[]
     right.setEnabled(false)
@@ -180,7 +180,7 @@ describe.each(ENGINES)('a file with wrinkles in Babylon.js on %s', (name) => {
     }
   })
 
-  // Babylon.js has no way to lose and restore a WebGPU device.
+  // Only WebGL can lose and restore its context in a test; Babylon.js cannot restore a WebGPU device.
   if (name === 'webgl')
     it('redraws its influence and maps after the context was lost', async () => {
       const [wrinkles] = wrinklesOf(await open())
@@ -193,7 +193,7 @@ describe.each(ENGINES)('a file with wrinkles in Babylon.js on %s', (name) => {
       await new Promise((resolve) => setTimeout(resolve, 50))
       extension.restoreContext()
       await restored
-      // Toggling the mode forces new programs. In these frames Babylon.js does not draw with programs from before the loss.
+      // Changing the mode compiles new programs. Babylon.js does not draw with programs made before the loss.
       wrinkles.mode = 'off'
       await picture()
       wrinkles.mode = 'default'

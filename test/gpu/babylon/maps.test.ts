@@ -19,7 +19,7 @@ import { type BabylonHarness, ENGINES, harnessOn, square } from './harness.ts'
 
 const PIXELS = 32
 
-/** Debug modes of Babylon.js's material. */
+/** Debug modes of Babylon.js that show roughness and occlusion. */
 const SHOW = { roughness: 63, occlusion: 89 }
 
 describe.each(ENGINES)("the layers' other maps in Babylon.js on %s", (name) => {
@@ -83,7 +83,7 @@ describe.each(ENGINES)("the layers' other maps in Babylon.js on %s", (name) => {
     const influenceOf = influenceAt(areas, activations, MAP)
     const cosine = 0.5 / Math.hypot(0.8, 0.1, 0.5)
     for (const metallic of [1, 0]) {
-      // A metal reflects without diffuse light, and black paint has no reflection, so each picture shows one of the two.
+      // Metal has only specular light, and a material without reflectance only diffuse light, so each picture shows one of them.
       Object.assign(material, { metallic, roughness: 0.9, metallicF0Factor: metallic })
       for (const area of wrinkles.areaNames) wrinkles.setActivation(area, 0)
       const plain = await harness.render(scene, PIXELS)
@@ -105,10 +105,10 @@ describe.each(ENGINES)("the layers' other maps in Babylon.js on %s", (name) => {
   })
 })
 
-/** Quantity read from a picture. */
+/** Quantity that the picture shows. */
 type Shown = 'colour' | 'roughness' | 'occlusion'
 
-/** Material with its own value at a point, linear. */
+/** Material, and a function that returns its value of a kind without wrinkles, linear. */
 interface Skin {
   material: PBRMaterial | StandardMaterial
   own(kind: Kind, u: number, v: number): number[]
@@ -151,7 +151,7 @@ function physicalWithMaps(scene: Scene, random: () => number, shown: Shown): Ski
   return { material, own }
 }
 
-/** Creates a material that shows its colour, decoded from the material's working space. */
+/** Creates an unlit white material. */
 function standard(scene: Scene): Skin {
   const material = new StandardMaterial('skin', scene)
   material.disableLighting = true
@@ -244,7 +244,7 @@ function exactOf(shown: Shown, material: Skin['material'], mixed: (kind: Kind) =
   if (shown === 'roughness') return [0.8 * mixed('roughness')[0]]
   const colour = reference.bloodColour(mixed('baseColor'), mixed('blood')[0])
   if (material instanceof PBRMaterial) return colour
-  // StandardMaterial occludes all light, in its own working space.
+  // StandardMaterial multiplies its result by the occlusion in gamma space, where the exponent is 2.2.
   const occlusion = mixed('occlusion')
   return colour.map((value, c) => value * occlusion[c % occlusion.length] ** 2.2)
 }

@@ -48,7 +48,7 @@ it('tension, muscles and joints have the same values as in three.js', () => {
   expect(found.filter((value, i) => Math.abs(value - rest[i]) > 0.01).length).toBeGreaterThan(5)
 })
 
-/** Tension for most areas, and a joint angle for the last. */
+/** Returns drivers: tension for all areas but the last, a joint angle for the last. */
 function driversOf({ areaNames, mesh }: three.WrinklesBase): WrinkleDriver[] {
   const { position } = mesh.geometry.attributes
   const forehead = [0, 1, 2].map((axis) => position.getComponent(0, axis))

@@ -18,7 +18,7 @@ import { type BabylonHarness, ENGINES, harnessOn, square } from './harness.ts'
 const PIXELS = 32
 const MAP = 16
 
-/** Normals in Babylon.js's debug modes. */
+/** Debug mode of Babylon.js that shows normals. */
 const SHOW_NORMAL = 5
 
 const KINDS: LayerKind[][] = [
@@ -47,7 +47,7 @@ describe.each(ENGINES)('normals in Babylon.js on %s', (name) => {
     }
   })
 
-  it("without influence equal the material's own bit for bit, also after dispose", async () => {
+  it("equal the material's own bit for bit without influence, and after dispose", async () => {
     const random = seeded(6)
     for (const hasMap of [true, false]) {
       const scene = harness.createScene()
@@ -67,7 +67,7 @@ describe.each(ENGINES)('normals in Babylon.js on %s', (name) => {
     }
   })
 
-  it('are shown on a mesh whose vertices are only on the GPU', async () => {
+  it('are drawn on a mesh that keeps its vertices only on the GPU', async () => {
     const pictures: Float32Array[] = []
     for (const isCleared of [false, true]) {
       const random = seeded(8)
@@ -82,7 +82,7 @@ describe.each(ENGINES)('normals in Babylon.js on %s', (name) => {
     expect(largestDifference(pictures[0], pictures[1])).toBeLessThanOrEqual(1 / 255)
   })
 
-  it("follow a normal map that the page moves beyond the layers' edges and back", async () => {
+  it("follow a normal map whose offset the page changes, also beyond the edges of the layers' maps", async () => {
     const moved = (uOffset: number) => {
       const random = seeded(7)
       const scene = harness.createScene()
@@ -126,7 +126,7 @@ describe.each(ENGINES)('normals in Babylon.js on %s', (name) => {
   })
 })
 
-/** Draws to the canvas, where a material keeps its shaders: render targets have separate ones. */
+/** Draws to the canvas, so that a material uses the same shaders in each picture. Each new render target would get new shaders. */
 async function canvasPicture({ engine }: BabylonHarness, scene: Scene): Promise<Uint8Array> {
   await scene.whenReadyAsync()
   engine.beginFrame()
@@ -136,20 +136,20 @@ async function canvasPicture({ engine }: BabylonHarness, scene: Scene): Promise<
   return new Uint8Array((await pixels).buffer.slice(0))
 }
 
-/** Material that shows its normal, and the value expected for a tangent-space normal. */
+/** Material that shows its normals, and a function that returns the colour expected for a tangent-space normal. */
 interface Shown {
   material: PBRMaterial | StandardMaterial
   seen(normal: readonly number[]): number[]
 }
 
-/** Shows the complete normal in world space, where z points away from the camera. */
+/** Shows normals in world space, where z points away from the camera, mapped from -1..1 to 0..1. */
 function shownByPbr(scene: Scene): Shown {
   const material = new PBRMaterial('skin', scene)
   Object.assign(material, { metallic: 0, roughness: 1, debugMode: SHOW_NORMAL, debugLimit: -1 })
   return { material, seen: ([x, y, z]) => [x, y, -z].map((value) => value * 0.5 + 0.5) }
 }
 
-/** Uses one light per axis, each in one primary colour. The material's output is decoded as sRGB. */
+/** Shows normals by three lights in red, green and blue along x, y and z. The harness decodes the output with an exponent of 2.2. */
 function shownByStandard(scene: Scene): Shown {
   const material = new StandardMaterial('skin', scene)
   material.specularColor = Color3.Black()

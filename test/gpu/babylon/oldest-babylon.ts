@@ -1,15 +1,15 @@
 import type { TestProjectInlineConfiguration } from 'vitest/config'
 
-/** All tests that draw with Babylon.js. */
+/** Test files that draw with Babylon.js. */
 export const FILES_FOR_OLDEST_BABYLON = ['test/gpu/babylon/*.test.ts', 'test/gpu/conformance/babylon.test.ts']
 
-/** Packages of the oldest supported Babylon.js, under aliases. */
+/** Aliases that replace Babylon.js by the oldest supported version. */
 const OLDEST = [
   { find: /^@babylonjs\/core(?=\/|$)/, replacement: 'babylon-oldest' },
   { find: /^@babylonjs\/loaders(?=\/|$)/, replacement: 'babylon-loaders-oldest' },
 ]
 
-/** Runs a project with the oldest supported Babylon.js. */
+/** Returns a Vitest project that uses the oldest supported Babylon.js. */
 export function onOldestBabylon(project: TestProjectInlineConfiguration): TestProjectInlineConfiguration {
   const oldest = (name: string) =>
     OLDEST.reduce((text, { find, replacement }) => text.replace(find, replacement), name)

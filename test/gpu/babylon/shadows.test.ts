@@ -19,7 +19,7 @@ const PIXELS = 64
 describe.each(ENGINES)('shadows in Babylon.js on %s', (name) => {
   const harness = harnessOn(name)
 
-  it('of a face moved by blendshapes equal those of the plain face', async () => {
+  it('of a face moved by blendshapes equal those without wrinkles', async () => {
     const { scene, mesh, target } = shadowed(harness)
     const pose = async (weight: number) => {
       target.influence = weight
@@ -41,7 +41,7 @@ describe.each(ENGINES)('shadows in Babylon.js on %s', (name) => {
   })
 })
 
-/** Creates a scene where a mesh outside the picture casts a shadow into it. A morph target moves the mesh. */
+/** Creates a scene in which a mesh outside the picture casts a shadow into the picture. A morph target moves the mesh. */
 function shadowed(harness: BabylonHarness) {
   const scene = harness.createScene()
   const ground = square(scene, 1)

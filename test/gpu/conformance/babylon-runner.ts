@@ -20,10 +20,10 @@ import { at, type OpenedSample, PIXELS, type Pixels } from './suite.ts'
 /** Frames until a pose takes effect. */
 const FRAMES = 2
 
-/** Debug modes of Babylon.js's material. */
+/** Debug modes of Babylon.js that show each quantity. */
 const SHOWN = { normal: 5, roughness: 63, occlusion: 89 }
 
-/** Decoders, which Babylon.js fetches from a CDN by default. */
+/** Path of the Draco decoder. By default Babylon.js fetches decoders from a CDN. */
 const DRACO = '/node_modules/three/examples/jsm/libs/draco/gltf/'
 DracoDecoder.DefaultConfiguration = {
   wasmUrl: `${DRACO}draco_wasm_wrapper.js`,
@@ -49,7 +49,7 @@ class BabylonSample implements OpenedSample {
   readonly #harness: BabylonHarness
   readonly #scene: Scene
   readonly #container: AssetContainer
-  /** Undefined if the file was refused. */
+  /** Undefined if Furrow has refused the wrinkles of the file. */
   readonly #wrinkles: Wrinkles | undefined
   #milliseconds = 0
 
@@ -86,7 +86,7 @@ class BabylonSample implements OpenedSample {
 
   async normals() {
     const shown = await this.#show('normal')
-    // Babylon.js loads files into a left-handed world, so x is negated.
+    // Babylon.js mirrors x to load right-handed files into its left-handed world.
     const component = (axis: number) =>
       shown.map((_, i) => (2 * shown[i - (i % 4) + axis] - 1) * (axis === 0 ? -1 : 1))
     return { pictures: [0, 1, 2].map(component), areColoured: false }

@@ -1,4 +1,4 @@
-/** Sample files of the conformance suite in the repository, as any engine's runner reads them. */
+/** Reads the sample files of the conformance suite, and their expected results. */
 
 /** Inputs of a pose and expected results. */
 export interface ExpectedPose {
@@ -8,11 +8,11 @@ export interface ExpectedPose {
   translations?: Record<string, number[]>
   seconds?: number
   activations: Record<string, number>
-  /** Absent if the pose moves the square. */
+  /** Expected values by pixel. Absent if the pose moves the square. */
   points?: ExpectedPoint[]
 }
 
-/** Expected values at the centre of a pixel of the square, counted from the top left. */
+/** Expected values at the centre of a pixel. Columns and rows count from the top left of the square. */
 export interface ExpectedPoint {
   column: number
   row: number
@@ -46,7 +46,6 @@ const pictures = import.meta.glob('../../../conformance/files/*.png', {
   import: 'default',
 })
 
-/** Names of the samples. */
 export const SAMPLES = Object.keys(models).map((path) => path.slice(FOLDER.length, -'.glb'.length))
 
 export const addressOf = (name: string) => models[`${FOLDER}${name}.glb`] as string
@@ -54,7 +53,7 @@ export const addressOf = (name: string) => models[`${FOLDER}${name}.glb`] as str
 export const expectedOf = (name: string) =>
   JSON.parse(texts[`${FOLDER}${name}.json`] as string) as ExpectedSample
 
-/** Loads the picture of the normals in a pose: 8-bit RGB, rows from the top. */
+/** Loads the expected picture of the normals in a pose: 8-bit RGB, rows from the top. */
 export async function pictureOf(name: string, pose: number): Promise<ImageData> {
   const response = await fetch(pictures[`${FOLDER}${name}-${pose}.png`] as string)
   const bitmap = await createImageBitmap(await response.blob(), { colorSpaceConversion: 'none' })

@@ -1,12 +1,12 @@
 import { beforeEach, expect, it, vi } from 'vitest'
 import { type ExpectedPoint, type ExpectedPose, expectedOf, pictureOf, SAMPLES } from './samples.ts'
 
-/** Side of a picture that the square fills, pixels. */
+/** Width and height of a picture, pixels. The sample's square fills it. */
 export const PIXELS = 32
 
 const TOLERANCE = 2 / 255
 
-/** Half a step of a byte that stores -1 to 1. */
+/** Largest rounding error of a byte that stores values from -1 to 1. */
 const ROUNDING = 1 / 255
 
 /** Linear RGBA, rows from the bottom. */
@@ -18,15 +18,15 @@ export interface OpenedSample {
   /** Sets a pose, draws, and reads the activations. */
   pose(pose: ExpectedPose): Promise<Record<string, number>>
   /**
-   * Renders x, y and z of the normals as three pictures, each in all channels. Negative values may appear as 0, and
-   * values may be multiplied by the base colour, as under a light along that axis.
+   * Renders x, y and z of the normals as three gray pictures. With `areColoured` the values are multiplied by the base
+   * colour. Negative values may be 0, because an engine may show an axis by a light along this axis, and light is not negative.
    */
   normals(): Promise<{ pictures: readonly Pixels[]; areColoured: boolean }>
-  /** Renders the base colour. Ambient light may multiply it by the occlusion. */
+  /** Renders the base colour. With `areOccluded` it is multiplied by the occlusion, as in ambient light. */
   colours(): Promise<{ picture: Pixels; areOccluded: boolean }>
-  /** Tells whether roughness at these points is within the tolerance. */
+  /** Tells whether the roughness at all points is within the tolerance. */
   hasRoughness(points: readonly ExpectedPoint[], tolerance: number): Promise<boolean>
-  /** Renders occlusion, if colours do not include it. */
+  /** Renders the occlusion. Absent if the colours include it. */
   occlusion?(): Promise<Pixels>
   dispose(): void | Promise<void>
 }
@@ -34,7 +34,7 @@ export interface OpenedSample {
 /**
  * Tests that an engine produces the expected results of each sample file.
  *
- * @param missing samples that need unsupported features: their faces must stay plain.
+ * @param missing names of samples that need unsupported features. Furrow must refuse their wrinkles.
  */
 export function testSamples(
   open: (name: string) => Promise<OpenedSample>,
@@ -86,12 +86,12 @@ async function checkPoints(opened: OpenedSample, points: readonly ExpectedPoint[
   expect(await opened.hasRoughness(points, TOLERANCE)).toBe(true)
 }
 
-/** Compares values after clamping negative ones to 0. */
+/** Expects two values to be equal within the tolerance, where negative values count as 0. */
 function checkPositive(shown: number, expected: number): void {
   expect(Math.abs(Math.max(0, shown) - Math.max(0, expected))).toBeLessThanOrEqual(TOLERANCE)
 }
 
-/** Compares the normals of all pixels. */
+/** Compares the normals of all pixels with the expected picture. */
 function checkPicture(shown: readonly Pixels[], { data }: ImageData): void {
   let worst = 0
   for (const axis of [0, 1, 2]) {
@@ -104,7 +104,7 @@ function checkPicture(shown: readonly Pixels[], { data }: ImageData): void {
   expect(worst).toBeLessThanOrEqual(TOLERANCE + ROUNDING)
 }
 
-/** Returns the index of a pixel counted from the top left. */
+/** Returns the index of a pixel in a picture with rows from the bottom. `column` and `row` count from the top left. */
 export function at(column: number, row: number): number {
   return column + (PIXELS - 1 - row) * PIXELS
 }

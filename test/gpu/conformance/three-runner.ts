@@ -53,7 +53,7 @@ class ThreeSample implements OpenedSample {
   readonly #harness: Harness
   readonly #root: Object3D
   readonly #meshes: Square[] = []
-  /** Undefined if the file was refused. */
+  /** Undefined if Furrow has refused the wrinkles of the file. */
   readonly #wrinkles: Wrinkles | undefined
   #milliseconds = 0
 
@@ -91,7 +91,7 @@ class ThreeSample implements OpenedSample {
     )
   }
 
-  /** Lights each axis in turn to show that component. */
+  /** Renders one picture per axis. A light along the axis makes the picture show this component of the normals. */
   async normals() {
     const pictures: Pixels[] = []
     for (const axis of [0, 1, 2]) {
@@ -106,7 +106,7 @@ class ThreeSample implements OpenedSample {
     return { picture: await this.#draw(new AmbientLight(0xffffff, Math.PI)), areOccluded: true }
   }
 
-  /** Compares highlights with those of a plain material that has the point's roughness. */
+  /** Compares the highlights with those of the material without wrinkles at the expected roughness. */
   async hasRoughness(points: readonly ExpectedPoint[], tolerance: number): Promise<boolean> {
     if (points.every(({ roughness }) => roughness === 1)) return true
     const shown = await this.#highlights()
@@ -125,7 +125,7 @@ class ThreeSample implements OpenedSample {
     }
   }
 
-  /** Renders with wrinkles, or the plain material with uniform roughness. */
+  /** Renders highlights with wrinkles, or without wrinkles at a given roughness. */
   async #highlights(plainRoughness?: number): Promise<Pixels> {
     const light = new DirectionalLight(0xffffff, Math.PI).translateZ(1)
     const [{ material }] = this.#meshes

@@ -11,14 +11,14 @@ describe.each(RENDERERS)('a mesh that a page makes with the material of a loaded
 
   const load = async () => loadFile(harness, await wrinkledFile())
   const picture = (root: Group) => litPicture(harness, root)
-  /** Renders the loaded face itself, at rest and moved. */
+  /** Renders the loaded face at a blendshape weight, to compare with. */
   const expected = async (weight: number) => {
     const gltf = await load()
     for (const mesh of faceMeshes(gltf.scene)) mesh.morphTargetInfluences![0] = weight
     return picture(gltf.scene)
   }
 
-  it("is the same face if it has the loaded mesh's blendshape weights, from the first frame on", async () => {
+  it('wrinkles as the loaded face from the first frame on, if both share their blendshape weights', async () => {
     const gltf = await load()
     const [face] = wrinklesOf(gltf)
     const loaded = faceMeshes(gltf.scene)
@@ -45,7 +45,7 @@ describe.each(RENDERERS)('a mesh that a page makes with the material of a loaded
     expect(largestDifference(await picture(root), await expected(1))).toBeLessThan(ROUNDING)
     expect(meshes.map((mesh) => wrinklesOf(mesh)!.getActivation('a'))).toEqual([1, 1])
     expect(face.getActivation('a')).toBe(0)
-    // React does this when a prop changes back and forth.
+    // React does this when a property changes and changes back.
     const own = meshes[0].material
     meshes[0].material = shared
     await picture(root)

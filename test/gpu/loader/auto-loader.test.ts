@@ -46,7 +46,7 @@ describe.each(RENDERERS)('a file without wrinkles on %s', (name) => {
     return harness.render(scene, camera as OrthographicCamera, SIZE)
   }
 
-  /** Lets wrinkles fade in. A frame adds at most 50 ms. */
+  /** Draws until automatic wrinkles have faded in. A frame advances the fade by at most 50 ms. */
   const appear = async (wrinkles: WrinklesBase, gltf: GLTF) => {
     let now = 0
     wrinkles.clock = { now: () => (now += 50) }
@@ -70,7 +70,7 @@ describe.each(RENDERERS)('a file without wrinkles on %s', (name) => {
       now += 50
       differences.push(difference(plain, await picture(gltf)))
     }
-    // Six frames of 50 ms are 0.3 s.
+    // The fade takes 0.3 s, which is six frames of 50 ms.
     for (const frame of [1, 2, 3, 4, 5]) expect(differences[frame]).toBeGreaterThan(differences[frame - 1]!)
     expect(differences[6]).toBe(differences[5])
     expect(differences[7]).toBe(differences[5])
@@ -89,7 +89,7 @@ describe.each(RENDERERS)('a file without wrinkles on %s', (name) => {
     const first = await load(await bareSheet(), { ...AUTO, seed: 7, progress: steps })
     const [made] = await wrinklesReady(first)
     expect(steps).toHaveBeenCalled()
-    // Cached after the wrinkles are shown.
+    // The loader stores the wrinkles after it has shown them.
     await vi.waitFor(async () => expect(await keptCount()).toBeGreaterThan(0))
     const again = vi.fn()
     const second = await load(await bareSheet(), { ...AUTO, seed: 7, progress: again })
@@ -100,14 +100,14 @@ describe.each(RENDERERS)('a file without wrinkles on %s', (name) => {
     for (const { scene } of [first, second]) firstMesh(scene).morphTargetInfluences![0] = 1
     await appear(made!, first)
     await appear(found!, second)
-    // Software rasterisers round differently when threads split a picture.
+    // Software rasterisers split a picture between threads, which changes rounding.
     expect(largestDifference(await picture(second), await picture(first))).toBeLessThan(1e-5)
     const other = vi.fn()
     await wrinklesReady(await load(await bareSheet(), { ...AUTO, seed: 8, progress: other }))
     expect(other).toHaveBeenCalled()
   })
 
-  // One renderer is enough: nothing is drawn.
+  // These tests draw nothing, so one renderer suffices.
   if (name === 'webgl') {
     it.each([
       ['quantised', quantise],
@@ -141,16 +141,20 @@ describe.each(RENDERERS)('a file without wrinkles on %s', (name) => {
     })
 
     it.each<[string, (document: Document) => void, RegExp]>([
-      ['an unlit material', makeUnlit, /does not support normal maps.*\(the file stays plain\)$/],
+      [
+        'an unlit material',
+        makeUnlit,
+        /does not support normal maps.*\(the file is shown without wrinkles\)$/,
+      ],
       [
         'no blendshapes',
         withoutTargets,
-        /no mesh has blendshapes .* without the option auto \(the file stays plain\)$/,
+        /no mesh has blendshapes .* without the option auto \(the file is shown without wrinkles\)$/,
       ],
       [
         'a blendshape that does nothing',
         stillTarget,
-        /no blendshape moves the mesh.*\(the file stays plain\)$/,
+        /no blendshape moves the mesh.*\(the file is shown without wrinkles\)$/,
       ],
     ])('stays plain with %s, with one warning', async (_, edit, message) => {
       const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
@@ -159,7 +163,7 @@ describe.each(RENDERERS)('a file without wrinkles on %s', (name) => {
       expect(warn.mock.calls).toEqual([[expect.stringMatching(message)]])
     })
 
-    it('stays plain without a warning after it was disposed of or the page cancelled', async () => {
+    it('gets no wrinkles and no warning if the page has disposed of it or cancelled', async () => {
       const warn = vi.spyOn(console, 'warn')
       const disposed = await load(await bareSheet(), { ...AUTO, seed: 21 })
       firstMesh(disposed.scene).geometry.dispose()
@@ -173,7 +177,7 @@ describe.each(RENDERERS)('a file without wrinkles on %s', (name) => {
       })
       expect(await wrinklesReady(cancelled)).toEqual([])
       expect(warn).not.toHaveBeenCalled()
-      // Other faces are unaffected.
+      // Another face still gets wrinkles.
       expect(await wrinklesReady(await load(await bareSheet()))).toHaveLength(1)
     })
   }
@@ -194,7 +198,7 @@ async function ourCaches(): Promise<string[]> {
   return (await caches.keys()).filter((name) => name.startsWith('furrow-auto-'))
 }
 
-/** Counts the results in the browser's cache. */
+/** Counts the automatic wrinkles in the browser's cache. */
 async function keptCount(): Promise<number> {
   const lists = await Promise.all((await ourCaches()).map(async (name) => (await caches.open(name)).keys()))
   return lists.flat().length

@@ -54,7 +54,7 @@ describe('images', () => {
     expect(error.message).toMatch(message)
   })
 
-  it('are refused if truncated anywhere', async () => {
+  it('are refused if truncated at any byte', async () => {
     const intact = await png(
       64,
       64,

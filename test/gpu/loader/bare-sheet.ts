@@ -2,12 +2,12 @@ import { type Accessor, Document, WebIO } from '@gltf-transform/core'
 import { KHRMaterialsUnlit, KHRMeshQuantization } from '@gltf-transform/extensions'
 import { sheet } from '../../unit/author/auto/sheet.ts'
 
-/** Squares per side. */
+/** Number of squares per row and per column. */
 const N = 24
-/** Half of the sheet's side, metres. */
+/** Half the width of the sheet, metres. */
 export const HALF = 0.04
 
-/** Returns a file without wrinkles: a flat sheet around the origin with a blendshape that shortens it. */
+/** Makes a file without wrinkles: a flat sheet, centred on the origin, with a blendshape that shortens it. */
 export async function bareSheet(
   edit: (document: Document) => void = () => {},
 ): Promise<Uint8Array<ArrayBuffer>> {
@@ -51,14 +51,14 @@ export async function bareSheet(
   return bytes as Uint8Array<ArrayBuffer>
 }
 
-/** Moves blendshape names to a place that glTF does not define. */
+/** Moves the names of blendshapes to the extras of the primitive, where some exporters write them. */
 export function moveNames(document: Document): void {
   const [mesh] = document.getRoot().listMeshes()
   mesh!.listPrimitives()[0]!.setExtras(mesh!.getExtras())
   mesh!.setExtras({})
 }
 
-/** Stores positions, offsets and texture coordinates in 16 bits, interleaved like gltfpack. */
+/** Stores positions, offsets and texture coordinates in 16 bits, interleaved as gltfpack does. */
 export function quantise(document: Document): void {
   document.createExtension(KHRMeshQuantization).setRequired(true)
   const [primitive] = document.getRoot().listMeshes()[0]!.listPrimitives()
@@ -74,7 +74,7 @@ export function quantise(document: Document): void {
   document.getRoot().listNodes()[0]!.setScale([scale, scale, scale])
 }
 
-/** Splits the triangles between two primitives that keep all vertices. */
+/** Splits the triangles between two primitives. Each keeps all vertices. */
 export function splitInTwo(document: Document): void {
   const [mesh] = document.getRoot().listMeshes()
   const [first] = mesh!.listPrimitives()
@@ -101,7 +101,7 @@ export function withoutIndex(document: Document): void {
   expand(primitive!.listTargets()[0]!.getAttribute('POSITION')!)
 }
 
-/** Scales to centimetres, upside down. */
+/** Converts the sheet to centimetres. Its node scales it back to metres, and turns it upside down. */
 export function scaleNode(document: Document): void {
   const [primitive] = document.getRoot().listMeshes()[0]!.listPrimitives()
   for (const attribute of [
@@ -130,7 +130,7 @@ export function stillTarget(document: Document): void {
   offsets.setArray(new Float32Array(offsets.getArray()!.length))
 }
 
-/** Adds a second node with the same mesh. */
+/** Adds a second node that shows the same mesh. */
 export function showTwice(document: Document): void {
   const [mesh] = document.getRoot().listMeshes()
   document.getRoot().listScenes()[0]!.addChild(document.createNode('twin').setMesh(mesh!))

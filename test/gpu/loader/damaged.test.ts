@@ -13,14 +13,14 @@ import { driver, wrinkledFile } from '../wrinkled-file.ts'
 
 const written = quietConsole()
 
-/** Damages a file, given the extension's JSON and the complete JSON. */
+/** Damages the JSON of a file. Receives the JSON of the extension and the complete JSON. */
 // biome-ignore lint/suspicious/noExplicitAny: tests edit the JSON in ways that no type allows
 type Spoil = (maps: any, json: any) => unknown
 
 const spoiled = (spoil: Spoil) =>
   wrinkledFile(undefined, (json) => spoil(json.materials[0].extensions.FURROW_wrinkle_maps, json))
 
-/** Returns the image of the layer's normals. */
+/** Returns the JSON of the image with the normals of the first layer. */
 // biome-ignore lint/suspicious/noExplicitAny: as above
 const normals = (maps: any, json: any): any =>
   json.images[json.textures[maps.layers[0].normalTexture.index].source]
@@ -114,7 +114,9 @@ describe.each(RENDERERS)('a damaged file on %s', (name) => {
     const ofPlain = textureCount() - before
     const gltf = await load(file)
     expect(written.warn.mock.calls).toEqual([[expect.stringMatching(warning)]])
-    expect(written.warn.mock.calls[0][0]).toMatch(/^[\w ]+: .+; .+ \(material "skin" stays plain\)$/)
+    expect(written.warn.mock.calls[0][0]).toMatch(
+      /^[\w ]+: .+; .+ \(material "skin" is shown without wrinkles\)$/,
+    )
     expect(wrinklesOf(gltf)).toEqual([])
     expect(gltf.userData.wrinkles).toEqual([])
     expect(await picture(gltf)).toEqual(expected)
@@ -137,11 +139,13 @@ describe.each(RENDERERS)('a damaged file on %s', (name) => {
       json.scenes[0].nodes.unshift(json.nodes.length - 1)
     })
     const gltf = await load(file)
-    expect(written.warn.mock.calls).toEqual([[expect.stringMatching(/material "damaged" stays plain/)]])
+    expect(written.warn.mock.calls).toEqual([
+      [expect.stringMatching(/material "damaged" is shown without wrinkles/)],
+    ])
     expect(wrinklesOf(gltf).map(({ mesh }) => mesh.parent!.name)).toEqual(['face'])
   })
 
-  it('with an unlit material loads, and its lit faces wrinkle', async () => {
+  it('with an unlit material loads, and its faces with lit materials wrinkle', async () => {
     const file = await wrinkledFile(undefined, (json) => {
       const unlit = structuredClone(json.materials[0])
       unlit.name = 'unlit'
@@ -225,7 +229,7 @@ interface Animated {
   samplers: { input: number; output: number }[]
 }
 
-/** Adds a damaged animation of the first two areas. */
+/** Adds an animation of the first two areas, and damages it. */
 // biome-ignore lint/suspicious/noExplicitAny: the complete JSON of a file
 function animate(json: any, spoil: (json: Animated) => unknown): void {
   const add = (...values: number[]) => {

@@ -9,7 +9,7 @@ import { editGlb } from '../../glb.ts'
 const NOSE = 3
 const TIMES = [0, 0.5, 2]
 const LINEAR = [0, 1, 0.25]
-/** In-tangent, value and out-tangent per key frame. */
+/** Values of a cubic spline: in-tangent, value and out-tangent for each key frame. */
 const CUBIC = [0, 0.1, 2, 1, 0.8, -1, 0, 0.2, 0]
 
 let file: Uint8Array
@@ -25,7 +25,7 @@ interface Channel {
   pointer?: string
 }
 
-/** Loads the shipped face with an animation of its areas. */
+/** Loads the shipped face with an animation of its areas, one per channel. */
 async function load(...channels: Channel[]): Promise<GLTF> {
   const animated = editGlb(file, (json) => {
     const add = (values: number[]) => {
@@ -61,7 +61,7 @@ async function load(...channels: Channel[]): Promise<GLTF> {
 
 const pointerTo = (area: number) => `/materials/0/extensions/FURROW_wrinkle_maps/areas/${area}/activation`
 
-/** Returns an area's activations at several times while a clip plays on an object. */
+/** Plays a clip on an object, and returns the activation of an area at several times. */
 function activationsDuring(
   root: Object3D,
   clip: AnimationClip,
@@ -119,7 +119,7 @@ describe('key frames in a file', () => {
       expect(curved[i], `at ${t}`).toBeCloseTo(Math.min(1, spline(t)), 5)
   })
 
-  it('play on one copy only, and set the resting activation that drivers add to', async () => {
+  it('play on one copy only, and set the activation at rest, to which drivers add', async () => {
     const gltf = await load({ values: LINEAR, pointer: pointerTo(NOSE) })
     const [wrinkles]: WrinklesBase[] = gltf.userData.wrinkles
     const area = wrinkles.areaNames[NOSE]

@@ -32,7 +32,7 @@ describe.each(RENDERERS)('a browser with missing APIs, on %s', (name) => {
     },
   )
 
-  it('keeps a face plain without Worker, with one warning, if its wrinkles are automatic', async () => {
+  it('makes no automatic wrinkles without Worker, and logs one warning', async () => {
     vi.stubGlobal('Worker', undefined)
     const { Plugin } = harness
     const auto = { size: 256, areaSize: 32 }

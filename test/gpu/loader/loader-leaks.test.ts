@@ -12,13 +12,13 @@ const SIZE = 8
 
 type Face = Mesh<BufferGeometry, MeshStandardMaterial>
 
-/** File whose layer has heights in a red channel of its textures. */
+/** Makes a file whose layer has heights. */
 const fileWithHeights = () =>
   wrinkledFile(({ layers: [layer] }) =>
     Object.assign(layer, { heightTexture: { index: 2, amplitude: 0.05 } }),
   )
 
-/** Camera that sees a few millimetres, so that relief of any size is drawn in full. */
+/** Creates a camera that sees only a few millimetres, so that even the lowest relief is drawn. */
 function close() {
   const camera = squareCamera()
   camera.zoom = 200
@@ -46,7 +46,7 @@ describe.each(['webgl', 'webgpu'] as const)('files that are loaded and disposed 
     const first = counts()
     for (let i = 2; i < LOADS; i++) made.push(...(await loadAndDispose(harness, file, options)))
     expect(counts()).toEqual(first)
-    // On WebGPU three.js holds up to five files, however many were loaded: 12 to 15 objects after 20, 40 and 80 loads.
+    // On WebGPU three.js keeps up to 15 objects of recent files, independently of the number of loads.
     expect(await alive(made)).toBeLessThan(made.length / 4)
     harness.dispose()
   })
@@ -85,13 +85,13 @@ describe.each(['webgl', 'webgpu'] as const)('files that are loaded and disposed 
 })
 
 interface LoadOptions {
-  /** Whether to dispose of the wrinkles too. */
+  /** Whether to call `dispose` of the wrinkles. */
   disposes?: boolean
   relief?: boolean
   clones?: number
 }
 
-/** Loads a face, shows its wrinkles, and disposes of everything a page can reach. */
+/** Loads a face, draws its wrinkles, and disposes of its geometries and materials. Returns references to detect leaks. */
 async function loadAndDispose(
   harness: Harness,
   file: Uint8Array<ArrayBuffer>,
@@ -103,7 +103,7 @@ async function loadAndDispose(
   const draw = () => harness.renderBytes(scene, camera, SIZE)
   for (let i = 0; i < 3; i++) await draw()
   const faces = new Set(facesIn(scene).map((mesh) => wrinklesOf(mesh)!))
-  // Each of a clone's two meshes counts as a face.
+  // The two meshes of the file share their wrinkles. In a clone each mesh has its own.
   expect(faces.size).toBe(1 + 2 * clones)
   for (const face of faces) {
     expect(face.getActivation('a')).toBe(1)
@@ -127,7 +127,7 @@ async function load(harness: Harness, file: Uint8Array<ArrayBuffer>, options: ob
   return { gltf, scene, meshes }
 }
 
-/** Lists meshes of the file or a clone, without those of relief. */
+/** Lists the meshes with wrinkles in a scene, without the meshes that draw relief. */
 function facesIn(scene: Scene): Face[] {
   const meshes: Face[] = []
   scene.traverse((object) => object instanceof Mesh && wrinklesOf(object) && meshes.push(object))

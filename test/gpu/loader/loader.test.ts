@@ -29,7 +29,7 @@ describe.each(RENDERERS)('a file with wrinkles on %s', (name) => {
     left.morphTargetInfluences![0] = right.morphTargetInfluences![0] = 1
     const moved = await picture(gltf)
     expect(moved).not.toEqual(rest)
-    // Both primitives share the material and its wrinkles.
+    // The file has two primitives that share the material and the wrinkles, one in each half of the picture.
     for (const half of [0, 16]) expect(differs(rest, moved, half), `half at ${half}`).toBe(true)
     left.morphTargetInfluences![0] = right.morphTargetInfluences![0] = 0
     expect(await picture(gltf)).toEqual(rest)
@@ -99,7 +99,7 @@ describe.each(RENDERERS)('a file with wrinkles on %s', (name) => {
     }
   })
 
-  it('shows the plain face in a loader without the extension', async () => {
+  it('shows the face without wrinkles in a loader without the plugin', async () => {
     const file = await wrinkledFile()
     const plain = await new GLTFLoader().parseAsync(file.slice().buffer as ArrayBuffer, '')
     const wrinkled = await load(file)
@@ -119,10 +119,10 @@ describe.each(RENDERERS)('a file with wrinkles on %s', (name) => {
     for (const half of [0, 16]) expect(differs(rest, moved, half), `half at ${half}`).toBe(true)
     expect(original.map((mesh) => wrinklesOf(mesh)!.getActivation('a'))).toEqual([0, 0])
     expect(cloned.map((mesh) => wrinklesOf(mesh)!.getActivation('a'))).toEqual([1, 1])
-    // The original looks like the copy at equal blendshape weights.
+    // At equal blendshape weights, the original looks like the copy.
     for (const mesh of original) mesh.morphTargetInfluences![0] = 1
     expect(largestDifference(await picture(gltf), moved)).toBeLessThan(ROUNDING)
-    // At most one extra texture, for a larger atlas.
+    // The copy may need a larger atlas, which is one more texture for a while.
     expect((harness.renderer as WebGLRenderer).info.memory.textures).toBeLessThanOrEqual(textures + 1)
     gltf.userData.wrinkles[0].dispose()
     expect(await picture({ scene: copy } as GLTF), 'after dispose of the original').toEqual(moved)
@@ -130,7 +130,7 @@ describe.each(RENDERERS)('a file with wrinkles on %s', (name) => {
     expect(cloned.map((mesh) => wrinklesOf(mesh))).toEqual([undefined, undefined])
   })
 
-  it("leaves eyes that share the skin's material plain", async () => {
+  it('adds no wrinkles to eyes that share the material of the skin', async () => {
     const gltf = await load(await wrinkledFile(undefined, addEyes))
     expect(wrinklesOf(gltf)).toHaveLength(1)
     const [wrinkles] = gltf.userData.wrinkles
@@ -164,7 +164,7 @@ describe.each(RENDERERS)('a file with wrinkles on %s', (name) => {
     const textures = (harness.renderer as WebGLRenderer).info.memory.textures
     gltf.userData.wrinkles[0].dispose()
     expect(await picture(gltf)).toEqual(expected)
-    // Areas and normals are freed; other faces still use the atlas of influence maps.
+    // The textures of areas and normals are freed. The atlas of influence maps stays, because all faces share it.
     expect((harness.renderer as WebGLRenderer).info.memory.textures).toBeLessThanOrEqual(textures - 2)
     expect(mesh.onBeforeRender).toBe(Object.getPrototypeOf(mesh).onBeforeRender)
   })

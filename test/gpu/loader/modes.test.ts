@@ -25,7 +25,7 @@ describe.each(RENDERERS)('a loaded face on %s', (name) => {
     return { wrinkles, picture }
   }
 
-  it('has wrinkles of the class that the page imports', async () => {
+  it('has wrinkles that are instances of the imported class', async () => {
     const { wrinkles } = await load('default')
     expect(wrinkles).toBeInstanceOf(harness.Wrinkles)
     expect(wrinkles.constructor).toBe(harness.Wrinkles)
@@ -46,11 +46,11 @@ describe.each(RENDERERS)('a loaded face on %s', (name) => {
     expected.wrinkles.dispose()
   })
 
-  it('has fully faded wrinkles from the first frame on if it is small on screen', async () => {
+  it('shows no wrinkles from the first frame on if it is small on screen', async () => {
     const [hidden, usual] = [await load('off'), await load('default')]
     const plain = await hidden.picture()
     expect(await usual.picture()).not.toBe(plain)
-    // The faces fill a picture of 32 pixels.
+    // The face fills a picture of 32 pixels, less than the 1000 below which wrinkles fade.
     const small = await load('default', 1000)
     expect(await small.picture()).toBe(plain)
     for (const { wrinkles } of [hidden, usual, small]) wrinkles.dispose()

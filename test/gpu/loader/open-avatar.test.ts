@@ -6,7 +6,7 @@ import { quietConsole } from '../quiet-console.ts'
 import { vrmFile } from '../vrm-file.ts'
 import { wrinkledFile } from '../wrinkled-file.ts'
 
-// Two quads that form one face: see `wrinkledFile`.
+// The tests open edited versions of `wrinkledFile`, in which two quads form one face.
 
 quietConsole()
 
@@ -33,12 +33,14 @@ describe('an opened avatar', () => {
     expect(face.wrinkles?.set.areas.map(({ name }) => name)).toEqual(['a', 'b', 'c', 'd'])
   })
 
-  it('is plain with a note if its wrinkles are damaged', async () => {
+  it('has no wrinkles, and a note, if its wrinkles are damaged', async () => {
     const avatar = await openAvatar(
       droppedAs('face.glb', await wrinkledFile((maps) => delete (maps as Partial<typeof maps>).layers)),
     )
     expect(faceOf(avatar).wrinkles).toBe(null)
-    expect(avatar.notes).toEqual([expect.stringMatching(/^FURROW_wrinkle_maps: .*; the face stays plain$/)])
+    expect(avatar.notes).toEqual([
+      expect.stringMatching(/^FURROW_wrinkle_maps: .*; the face is shown without wrinkles$/),
+    ])
   })
 
   it.each<[string, Edit, string]>([
@@ -82,9 +84,9 @@ describe('an opened avatar', () => {
     expect(avatar.notes).toEqual([])
   })
 
-  it('has another skin after the user picks one', async () => {
+  it('has another mesh as skin after the user picks it', async () => {
     const avatar = await open((json) => {
-      // Makes the second quad a separate mesh.
+      // Turns the second quad into a separate mesh.
       json.meshes.push({ name: 'other', primitives: json.meshes[0].primitives.splice(1) })
       json.nodes.push({ name: 'other', mesh: 1 })
       json.scenes[0].nodes.push(json.nodes.length - 1)

@@ -4,13 +4,13 @@ import { readImage } from '../../../packages/furrow/src/runtime/file/read-image.
 import { seeded } from '../../random.ts'
 import { png } from '../images.ts'
 
-/** Random pixels with some smooth rows. */
+/** Returns random pixels, with smooth rows among them, so that encoders use different row filters. */
 function pixels(channels: number): Uint8Array {
   const random = seeded(channels)
   return Uint8Array.from({ length: 33 * 17 * channels }, (_, i) => (i % 3 === 0 ? random() * 256 : i % 256))
 }
 
-/** Decodes with the browser, without colour conversion. */
+/** Decodes an image by the browser, without colour conversion, and reads it back through WebGL. */
 async function byWebGL(file: Blob) {
   const options = { colorSpaceConversion: 'none', premultiplyAlpha: 'none' } as const
   return readImage(await createImageBitmap(file, options))
@@ -24,7 +24,7 @@ const COLOURS = [
 ] as const
 
 describe('pixels of a PNG file', () => {
-  it.each(COLOURS)("of %s equal WebGL's", async (_, colour, channels) => {
+  it.each(COLOURS)('of %s are those that WebGL reads', async (_, colour, channels) => {
     for (const filter of [0, 1, 2, 3, 4]) {
       const file = await png(33, 17, 8, colour, pixels(channels), filter)
       const bytes = new Uint8Array(await file.arrayBuffer())

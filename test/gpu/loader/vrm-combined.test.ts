@@ -10,16 +10,16 @@ import { vrmFile } from '../vrm-file.ts'
 import { driver, faceMeshes } from '../wrinkled-file.ts'
 import { bareSheet } from './bare-sheet.ts'
 
-/** Blendshapes of the face. One has the name of an expression that moves others too. */
+/** Blendshapes of the face. The expression `sad` moves `sad` and `browInnerUp`. */
 const SHAPES = ['browInnerUp', 'other', 'sad']
-/** Weights of these blendshapes by expression. */
+/** Weights of these blendshapes in each expression. */
 const EXPRESSIONS: Record<string, number[]> = {
   happy: [0.5, 0, 0],
   sad: [0.7, 0, 1],
   angry: [0, 1, 0],
   surprised: [1, 1, 0],
 }
-/** Names of the expressions in VRM 0. */
+/** Names of the expressions in VRM 0, by the name in VRM 1.0. */
 const PRESETS: Record<string, string> = { happy: 'joy', sad: 'sorrow', angry: 'angry' }
 
 afterEach(() => vi.restoreAllMocks())
@@ -59,7 +59,7 @@ describe.each([
     const wrinkles = wrinklesOf(faceMeshes(root)[0])!
     return ['a', 'c', 'd'].map((area) => wrinkles.getActivation(area))
   }
-  /** Returns the activations of each expression, then of combinations. */
+  /** Returns the activations in each expression, then in combinations of expressions. */
   const responses = async (gltf: GLTF) => {
     const { expressionManager } = gltf.userData.vrm as VRM
     const poses = Object.keys(EXPRESSIONS).map((name): Record<string, number> => ({ [name]: 1 }))
@@ -114,7 +114,7 @@ describe.each([
     ['before', true],
     ['after', false],
   ])('gives copies made %s combineMorphs the same wrinkles', async (_, isBefore) => {
-    // Copies have no expression manager, and so no input `angry` before combineMorphs.
+    // Before combineMorphs, copies lack the input `angry`, because they have no expression manager. A warning says so.
     vi.spyOn(console, 'warn').mockImplementation(() => {})
     const gltf = await load()
     const early = isBefore && cloneSkinned(gltf.scene)

@@ -12,16 +12,16 @@ import {
 /** Radius of the ball, metres. */
 export const RADIUS = 0.05
 
-/** Height difference from black to white, metres. */
+/** Height difference between black and white texels, metres. */
 export const AMPLITUDE = 0.003
 
 const SIZE = 256
 
-/** Creates a ball with a UV seam, a blendshape that stretches it, and an emissive material. */
+/** Creates a ball with a UV seam, a blendshape that stretches it, and an emissive material, which shows its outline. */
 export function ball(segments = 16): Mesh {
   const geometry = new SphereGeometry(RADIUS, segments, segments)
   const { position } = geometry.attributes
-  // Snaps cosine and sine of a full turn to those of zero.
+  // Rounds positions, so that both sides of the seam are equal: cos(2 * PI) and sin(2 * PI) are inexact.
   const rounded = Float32Array.from(position.array, (value) => Math.round(value * 1e6) / 1e6 + 0)
   geometry.setAttribute('position', new BufferAttribute(rounded, 3))
   const taller = rounded.map((value, i) => (i % 3 === 1 ? 0.3 * value : 0))
@@ -32,7 +32,7 @@ export function ball(segments = 16): Mesh {
   return mesh
 }
 
-/** Returns heights that rise and fall around the ball, as image bytes. */
+/** Returns the bytes of a height map that rises and falls several times around the ball. */
 export function heightBytes(): Uint8Array {
   return Uint8Array.from({ length: SIZE * SIZE }, (_, i) => {
     const [u, v] = [(i % SIZE) / SIZE, Math.floor(i / SIZE) / SIZE]
@@ -40,7 +40,7 @@ export function heightBytes(): Uint8Array {
   })
 }
 
-/** Creates wrinkles over the complete ball that are pure heights. */
+/** Creates a wrinkle set with flat normals, and heights over the complete ball. */
 export function heightSet(): WrinkleSet {
   const normal = { width: 1, height: 1, data: new Uint8Array([128, 128, 255, 255]) }
   const height = { width: SIZE, height: SIZE, data: heightBytes() }

@@ -1,30 +1,33 @@
 import { BufferAttribute, BufferGeometry, Mesh, MeshStandardMaterial } from 'three'
 import { interpolate } from '../../../packages/furrow/src/core/reference.ts'
 import { displace } from '../../../packages/furrow/src/relief/displaced.ts'
-import { outwardRoom } from '../../../packages/furrow/src/relief/outward-room.ts'
+import { outwardClearance } from '../../../packages/furrow/src/relief/outward-clearance.ts'
 import { splitMesh } from '../../../packages/furrow/src/relief/split-mesh.ts'
 import { MAX_LEVEL } from '../../../packages/furrow/src/relief/welded-edges.ts'
 import { finish } from '../../unit/relief/coarse.ts'
 import { AMPLITUDE, heightBytes } from './ball.ts'
 
-/** Displaces a ball by the float64 reference with full relief, including its blendshape. */
+/** Computes the surface of a ball with its blendshape and full relief in float64. */
 export function displacedBall({ geometry, morphTargetInfluences }: Mesh) {
   const { attributes, index, morphAttributes } = geometry
   const rest = attributes.position.array as Float32Array
   const coarse = { positions: rest, uvs: attributes.uv.array, triangles: index!.array }
   const dense = finish(splitMesh(coarse, new Float32Array(index!.count).fill(MAX_LEVEL)))
   const normals = attributes.normal.array
-  const room = finish(outwardRoom(coarse, normals, dense.firstOf, AMPLITUDE / 2))
+  const clearance = finish(outwardClearance(coarse, normals, dense.firstOf, AMPLITUDE / 2))
   const offsets = morphAttributes.position![0].array
   const positions = Float64Array.from(rest, (value, i) => value + morphTargetInfluences![0] * offsets[i])
   const bytes = heightBytes()
   const side = Math.sqrt(bytes.length)
   const heightAt = (u: number, v: number) =>
     (interpolate({ width: side, height: side }, u, v, (i, j) => bytes[i + j * side]) / 255 - 0.5) * AMPLITUDE
-  return { triangles: dense.triangles, positions: displace(dense, { positions, normals }, heightAt, room) }
+  return {
+    triangles: dense.triangles,
+    positions: displace(dense, { positions, normals }, heightAt, clearance),
+  }
 }
 
-/** Creates a drawable mesh of the displaced ball. */
+/** Creates a mesh of the displaced ball, which can be drawn for comparison. */
 export function displacedMesh(ball: Mesh): Mesh {
   const { triangles, positions } = displacedBall(ball)
   const geometry = new BufferGeometry()

@@ -16,14 +16,14 @@ import { harnessOn, RENDERERS } from '../harness.ts'
 import { distances, fractionWithin, type Outline, outlineOf, projectedOutline } from './outline.ts'
 import { bandedFace, displacedSkin, type RaisedFace } from './raised-face.ts'
 
-/** Side of the picture of the complete head that distances refer to, pixels. Outlines are drawn at twice that. */
+/** Width of a picture of the complete head. Distances are in pixels of this picture; outlines are drawn at twice the size. */
 const PIXELS = 1600
 const FINE = 2 * PIXELS
 
-/** Distance that relief may move an outline in a picture of 400 pixels, pixels. */
+/** Maximum distance by which relief moves the outline, in pixels of a picture that is 400 pixels wide. */
 const NEAR = 3
 
-/** Reference outlines by picture size, for one pose that every renderer must show. */
+/** Outlines computed in float64, by picture size. All renderers are compared with them. */
 const outlines = new Map<number, Outline>()
 
 const POSE = { browInnerUp: 1, browOuterUpLeft: 1, browOuterUpRight: 1, mouthSmileLeft: 0.5 }
@@ -50,7 +50,7 @@ describe.each(RENDERERS)('the shipped face on %s', (name) => {
     })
   }
 
-  /** Returns a picture's skin outline in profile and the reference's, in pixels of that size. */
+  /** Draws the skin in profile. Returns its outline, and the outline computed in float64. */
   function inProfile(size: number) {
     const box = new Box3().setFromObject(face.skin)
     const centre = box.getCenter(new Vector3())
@@ -79,7 +79,7 @@ describe.each(RENDERERS)('the shipped face on %s', (name) => {
     return { picture, reference }
   }
 
-  it("has the reference's outline in profile, which differs from that without relief", async () => {
+  it('has the outline of the float64 reference in profile, not the outline without relief', async () => {
     pose(POSE)
     const { picture, reference } = inProfile(FINE)
     await picture()
@@ -91,19 +91,19 @@ describe.each(RENDERERS)('the shipped face on %s', (name) => {
     const pixels = (a: Outline, b: Outline) => distances(a, b).map((distance) => (distance * PIXELS) / FINE)
     expect(fractionWithin(0.5, pixels(shown, expected))).toBeGreaterThan(0.995)
     expect(Math.max(...forehead(pixels(plain, expected)))).toBeGreaterThan(1.5)
-    // These bands are steeper than any wrinkle. Edges of 1.2 mm cut them short, here and in the reference.
+    // The bands of the height map are steeper than any wrinkle, so triangles of 1.2 mm approximate them less exactly.
     expect(Math.max(...forehead(pixels(shown, expected)))).toBeLessThan(0.6)
   })
 
   it.each([
     ['second', 1, 1200],
     ['third', 2, 600],
-  ])('has that outline in a smaller picture with the %s version too', async (_, version, size) => {
+  ])('has the float64 outline with the %s, coarser version of the mesh', async (_, version, size) => {
     pose(POSE)
     const { picture, reference } = inProfile(size)
     await picture()
     const found = distances(await picture(), reference())
-    // Pixels alone add half a pixel of error.
+    // Rounding to whole pixels already adds an error of half a pixel.
     expect(fractionWithin(1, found)).toBeGreaterThan(0.995)
     const [{ geometry }] = face.skin.children.filter((child) => 'isReliefMesh' in child) as unknown as Mesh[]
     expect(geometry.drawRange.start).toBe(geometry.groups[version].start)
@@ -115,7 +115,7 @@ describe.each(RENDERERS)('the shipped face on %s', (name) => {
     scene.background = new Color(0x00ff00)
     const targets = Object.keys(face.skin.morphTargetDictionary!)
     const size = 400
-    // `WebGPURenderer` on WebGL 2 runs the same code.
+    // `WebGPURenderer` on WebGL 2 runs the same code as on WebGPU, so test fewer views.
     const views = name === 'webgpu on webgl2' ? 2 : 10
     for (let i = 0; i < views; i++) {
       pose(Object.fromEntries(targets.map((target) => [target, rng.next() < 0.1 ? rng.next() : 0])))
@@ -130,13 +130,13 @@ describe.each(RENDERERS)('the shipped face on %s', (name) => {
   })
 })
 
-/** Returns the forehead rows, of left distances followed by right distances, where the face is. */
+/** Returns the distances in the rows of the forehead. `found` is a result of `distances`. The face looks to the right. */
 function forehead(found: number[]): number[] {
   const right = found.slice(found.length / 2)
   return right.slice(0.72 * right.length, 0.86 * right.length)
 }
 
-/** Returns pixels that show the background although the other picture has none nearby, without those around the head. */
+/** Returns the background pixels of `shown` that are far from all background of `plain`, the picture without relief. */
 function holes(shown: Uint8Array, plain: Uint8Array, size: number): number[] {
   const isBackground = (pixels: Uint8Array, x: number, y: number) => {
     const i = 4 * (x + y * size)

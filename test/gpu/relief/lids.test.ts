@@ -3,13 +3,13 @@ import { createHarness } from '../harness.ts'
 import { bandedFace, displacedSkin, type RaisedFace, shippedFace } from './raised-face.ts'
 import { cutsOf, lengthAway } from './self-intersections.ts'
 
-/** Distance within which a cut counts as existing without relief, metres; the reach of heights. */
+/** Distance by which relief may move an existing intersection, metres. Heights move points by at most this distance. */
 const NEAR = 0.001
 
-/** Largest length of new cuts with heights unlike any wrinkle, metres. Closed lids would reach 0.02 if nearby heights were not reduced. */
+/** Maximum length of new intersections, metres. Closed lids would have 0.02 m if heights were not reduced near other skin. */
 const FEW = 0.012
 
-/** Returns the cuts of a face in a pose, and those without relief. */
+/** Returns the lines along which a face intersects itself in a pose, with and without relief. */
 function cutsIn(face: RaisedFace, targets: readonly string[]) {
   const { morphTargetDictionary, morphTargetInfluences } = face.skin
   for (const target of targets) morphTargetInfluences![morphTargetDictionary![target]] = 1
@@ -22,7 +22,7 @@ const length = (cuts: ReturnType<typeof cutsOf>) => lengthAway(cuts, [], 0)
 it.each([
   ['lids', ['eyeBlinkLeft', 'eyeBlinkRight', 'cheekSquintLeft', 'cheekSquintRight']],
   ['lips', ['mouthPressLeft', 'mouthPressRight', 'mouthRollUpper', 'mouthRollLower']],
-])('%s of the shipped face do not cut each other more with relief', async (_, targets) => {
+])('%s of the shipped face cut each other no more with relief than without', async (_, targets) => {
   const harness = await createHarness('webgl')
   const face = await shippedFace(harness)
   const { before, cuts } = cutsIn(face, targets)
@@ -35,7 +35,7 @@ it.each([
 it.each([
   ['closed lids', ['eyeBlinkLeft', 'eyeBlinkRight']],
   ['pressed lips', ['mouthPressLeft', 'mouthPressRight']],
-])('%s with 2 mm bands everywhere hardly cut each other more', async (_, targets) => {
+])('%s raised by bands of 2 mm cut each other hardly more than without relief', async (_, targets) => {
   const harness = await createHarness('webgl')
   const face = await bandedFace(harness)
   const { before, cuts } = cutsIn(face, targets)

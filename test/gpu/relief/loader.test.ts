@@ -6,7 +6,7 @@ import { createHarness, RENDERERS, squareCamera } from '../harness.ts'
 import { wrinkledFile } from '../wrinkled-file.ts'
 import { sceneOf } from './ball.ts'
 
-/** Returns a file whose layer has heights in the red channel of the texture `index`, as high as a mesh of that size allows. */
+/** Makes a file whose layer has heights in the texture `index`, with the largest amplitude that a mesh of this size allows. */
 // biome-ignore lint/suspicious/noExplicitAny: the complete JSON of the file
 const fileWithHeights = (index = 2, edit: (json: any) => unknown = () => {}) =>
   wrinkledFile(
@@ -14,14 +14,14 @@ const fileWithHeights = (index = 2, edit: (json: any) => unknown = () => {}) =>
     edit,
   )
 
-/** Returns a file whose height image is invalid. */
+/** Makes a file whose height image is invalid. */
 const fileWithoutImage = () =>
   fileWithHeights(3, (json) => {
     json.images.push({ uri: 'data:image/png;base64,AAAA' })
     json.textures.push({ source: json.images.length - 1 })
   })
 
-/** Camera that sees a few millimetres. */
+/** Creates a camera that sees only a few millimetres. */
 function close() {
   const camera = squareCamera()
   camera.zoom = 200
@@ -44,8 +44,8 @@ describe.each(RENDERERS)('a face loaded for %s', (name) => {
     return { harness, gltf: await loader.parseAsync(file.slice().buffer, '') }
   }
 
-  it('shows relief on all primitives, and copies have their own', async () => {
-    // A quad of a metre exceeds the triangle budget.
+  it('shows relief on all primitives, and separately on copies', async () => {
+    // Ignores the warning that a quad of one metre exceeds the limit of triangles.
     vi.spyOn(console, 'warn').mockImplementation(() => {})
     const { harness, gltf } = await load(await fileWithHeights(), 'on')
     const meshes = meshesOf(gltf)
@@ -71,7 +71,7 @@ describe.each(RENDERERS)('a face loaded for %s', (name) => {
     harness.dispose()
   })
 
-  it('reads heights by size only when a millimetre exceeds a pixel', async () => {
+  it('reads heights in mode near only when a millimetre exceeds a pixel', async () => {
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
     const { harness, gltf } = await load(await fileWithoutImage(), 'near')
     const scene = sceneOf(gltf.scene as never)
@@ -84,7 +84,7 @@ describe.each(RENDERERS)('a face loaded for %s', (name) => {
     harness.dispose()
   })
 
-  it('loses only the relief if heights cannot be read', async () => {
+  it('has no relief, but wrinkles, if heights cannot be read', async () => {
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
     const { harness, gltf } = await load(await fileWithoutImage(), 'on')
     const [mesh] = meshesOf(gltf)

@@ -115,12 +115,12 @@ it('an avatar loaded by three-vrm, and its copy, have outlines around their reli
   }
   const lines = warn.mock.calls
     .flat()
-    .filter((text) => /Wrinkles/.test(text) && !/edges are longer/.test(text))
+    .filter((text) => /Wrinkles/.test(text) && !/triangles are longer/.test(text))
   expect(lines).toEqual([])
   harness.dispose()
 })
 
-/** Returns a copy of the mesh with every vertex `width` farther from the origin. */
+/** Returns a copy of a mesh with every vertex moved away from the origin by `width` metres. */
 function widened(mesh: Mesh, width: number): Mesh {
   const { position } = mesh.geometry.attributes
   const point = new Vector3()
@@ -131,7 +131,7 @@ function widened(mesh: Mesh, width: number): Mesh {
   return mesh
 }
 
-/** Turns drawn pixels white. */
+/** Returns a picture in which every drawn pixel is white. */
 function silhouette(pixels: Uint8Array): Uint8Array {
   return pixels.map((_, i) => (pixels[i - (i % 4) + 1] > 8 ? 255 : 0))
 }

@@ -5,7 +5,7 @@ import { ball, heightSet, sceneOf, sideCamera } from './ball.ts'
 import { displacedBall } from './displaced-ball.ts'
 import { distances, fractionWithin, type Outline, outlineOf, projectedOutline } from './outline.ts'
 
-/** Side of the drawn picture, pixels, and of a pixel that distances refer to. Outlines are drawn twice as fine. */
+/** Width of the drawn picture. Distances are in pixels of a picture half as wide. */
 const FINE = 3200
 const PIXEL = FINE / 1600
 const SIDE = 0.15

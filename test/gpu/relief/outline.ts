@@ -1,10 +1,10 @@
-/** Left and right end of an outline in each row of a picture, pixels from the left; infinite in empty rows. */
+/** Outline of a drawn object: its left and right end in each row of the picture, pixels from the left; infinite in empty rows. */
 export interface Outline {
   left: Float64Array
   right: Float64Array
 }
 
-/** Finds the outline of everything drawn on black. */
+/** Finds the outline of all pixels that are not black. */
 export function outlineOf(pixels: Uint8Array, width: number, height: number): Outline {
   const outline = emptyOutline(height)
   for (let y = 0; y < height; y++) {
@@ -14,9 +14,9 @@ export function outlineOf(pixels: Uint8Array, width: number, height: number): Ou
 }
 
 /**
- * Computes the outline of a mesh at row centres in float64.
+ * Computes the outline of a mesh in float64, at the centres of pixel rows.
  *
- * @param project returns x and y of a vertex in pixels, y up.
+ * @param project projects a vertex to the picture: x and y in pixels, y up.
  */
 export function projectedOutline(
   triangles: ArrayLike<number>,
@@ -36,7 +36,7 @@ export function projectedOutline(
   return outline
 }
 
-/** Returns the distances of two outlines in pixels for every row that either covers: left ends first, then right ends. */
+/** Returns the distances between two outlines in pixels: first between the left ends of all rows, then between the right ends. Skips empty rows. */
 export function distances(a: Outline, b: Outline): number[] {
   const found: number[] = []
   for (const side of ['left', 'right'] as const) {
@@ -47,7 +47,7 @@ export function distances(a: Outline, b: Outline): number[] {
   return found
 }
 
-/** Returns the fraction of distances within a limit. */
+/** Returns the fraction of distances that are at most `limit`. */
 export function fractionWithin(limit: number, found: readonly number[]): number {
   return found.filter((distance) => distance <= limit).length / found.length
 }

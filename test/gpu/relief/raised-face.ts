@@ -6,23 +6,23 @@ import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 import { coveredTriangles, maxHalvings } from '../../../packages/furrow/src/relief/covered-triangles.ts'
 import { displace } from '../../../packages/furrow/src/relief/displaced.ts'
 import { weightedTexels } from '../../../packages/furrow/src/relief/height-fields.ts'
-import { outwardRoom } from '../../../packages/furrow/src/relief/outward-room.ts'
+import { outwardClearance } from '../../../packages/furrow/src/relief/outward-clearance.ts'
 import { splitMesh } from '../../../packages/furrow/src/relief/split-mesh.ts'
 import { finish } from '../../unit/relief/coarse.ts'
 import type { Harness } from '../harness.ts'
 
-/** Height difference from black to white, metres. */
+/** Height difference between black and white texels of `bands`, metres. */
 const AMPLITUDE = 0.002
 const SIDE = 512
 
-/** Heights that displace the surface. */
+/** Height map of a layer, and its scale. */
 export interface Heights {
   height: GrayImage
-  /** Height difference from black to white, metres. */
+  /** Height difference between black and white texels, metres. */
   heightAmplitude: number
 }
 
-/** Bands across the complete texture, several millimetres wide on the skin: far more than wrinkles. */
+/** Height map of horizontal bands, several millimetres wide on the skin: wider and higher than wrinkles. */
 const bands: GrayImage = {
   width: SIDE,
   height: SIDE,
@@ -42,12 +42,12 @@ export interface RaisedFace {
   dispose(): void
 }
 
-/** Loads the shipped face with bands in place of its heights, with all areas active. */
+/** Loads the shipped face with `bands` in place of its heights. All areas are active. */
 export async function bandedFace(harness: Harness): Promise<RaisedFace> {
   return raisedFace(harness, () => BANDS)
 }
 
-/** Loads the shipped face with its own heights, with all areas active. */
+/** Loads the shipped face with its own heights. All areas are active. */
 export async function shippedFace(harness: Harness): Promise<RaisedFace> {
   return raisedFace(harness, ([{ height, heightAmplitude }]) => {
     if (!height || !('data' in height)) throw new Error('the shipped face has no heights')
@@ -70,7 +70,7 @@ async function raisedFace(
   return { root: gltf.scene, skin, heights, areas, wrinkles, dispose: () => wrinkles.dispose() }
 }
 
-/** Returns the skin with and without relief in float64: triangles, and positions in mesh space. */
+/** Computes the skin with and without relief in float64. Returns triangles, and positions in mesh space. */
 export function displacedSkin({ skin, heights, areas: activeAreas }: RaisedFace) {
   const { height: map, heightAmplitude } = heights
   const { attributes, index, morphAttributes } = skin.geometry
@@ -79,10 +79,12 @@ export function displacedSkin({ skin, heights, areas: activeAreas }: RaisedFace)
   const areas = packAreas(activeAreas.map(({ weights }) => weights as GrayImage))
   const active = activeAreas.map(({ combine = 'sum' }) => ({ activation: 1, layer: 0, combine }) as const)
   const slices = activeAreas.map((_, slice) => slice)
-  // Splits at the finest level wherever areas are, unlike the shaders' mesh, which is split only where heights need it.
+  // Splits all triangles inside areas to the finest level. The drawn mesh is split only where heights need it.
   const halvings = maxHalvings(coveredTriangles(coarse, weightedTexels(areas, slices)))
   const dense = finish(splitMesh(coarse, halvings))
-  const room = finish(outwardRoom(coarse, attributes.normal.array, dense.firstOf, heightAmplitude / 2))
+  const clearance = finish(
+    outwardClearance(coarse, attributes.normal.array, dense.firstOf, heightAmplitude / 2),
+  )
   const deformed = (name: 'position' | 'normal') => {
     const out = Float64Array.from(attributes[name].array)
     for (const [target, weight] of skin.morphTargetInfluences!.entries()) {
@@ -102,6 +104,6 @@ export function displacedSkin({ skin, heights, areas: activeAreas }: RaisedFace)
     return influence * (height - 0.5) * heightAmplitude
   }
   const plain = { triangles: coarse.triangles, positions: deformed('position') }
-  const positions = displace(dense, { positions: plain.positions, normals }, heightAt, room)
+  const positions = displace(dense, { positions: plain.positions, normals }, heightAt, clearance)
   return { triangles: dense.triangles, positions, plain }
 }

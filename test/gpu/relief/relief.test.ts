@@ -39,7 +39,7 @@ describe.each(RENDERERS)('relief on %s', (name) => {
   const picture = (scene: Scene, camera: OrthographicCamera = sideCamera(SIDE)) =>
     harness.renderBytes(scene, camera, SIZE)
 
-  /** Adds wrinkles whose relief is drawn from now on. */
+  /** Adds wrinkles, and waits until their relief is ready. */
   async function raised(mesh: Mesh, set = heightSet(), options = {}) {
     const wrinkles = new harness.Wrinkles(mesh, set, { relief: 'on', ...options })
     await wrinkles.reliefReady()
@@ -192,7 +192,7 @@ describe.each(RENDERERS)('relief on %s', (name) => {
     wrinkles.dispose()
   })
 
-  it('is hit by rays once, on the mesh', async () => {
+  it('is not hit by rays, which hit the mesh once', async () => {
     const mesh = ball()
     const wrinkles = await raised(mesh)
     const hits = new Raycaster(new Vector3(0, 0, 1), new Vector3(0, 0, -1)).intersectObject(
@@ -228,7 +228,7 @@ describe.each(RENDERERS)('relief on %s', (name) => {
     wrinkles.dispose()
   })
 
-  it('uses fewer triangles the smaller it is in the picture', async () => {
+  it('has fewer triangles when it is smaller in the picture', async () => {
     const mesh = ball(48)
     const wrinkles = await raised(mesh)
     const scene = sceneOf(mesh)
@@ -243,7 +243,7 @@ describe.each(RENDERERS)('relief on %s', (name) => {
     wrinkles.dispose()
   })
 
-  it('is drawn by size only where it can be seen', async () => {
+  it('is drawn in mode near only if it can be seen', async () => {
     const mesh = ball()
     const wrinkles = new harness.Wrinkles(mesh, heightSet(), { relief: 'near' })
     const scene = sceneOf(mesh)
@@ -310,7 +310,7 @@ describe.each(RENDERERS)('relief on %s', (name) => {
     others.dispose()
   })
 
-  it('moves the complete surface with heights of one texel', async () => {
+  it('moves the complete surface if the height map is a single texel', async () => {
     const { layers, areas } = heightSet()
     const height = { width: 1, height: 1, data: new Uint8Array([255]) }
     const mesh = ball(64)
@@ -324,9 +324,9 @@ describe.each(RENDERERS)('relief on %s', (name) => {
   })
 
   it.each([
-    ['heights of 10 m', () => ball(), 10, 'reach too far'],
+    ['heights of 10 m', () => ball(), 10, 'displace the surface too far'],
     ['positions that are not numbers', () => brokenBall(), 0.003, 'positions that are not numbers'],
-  ])('is left out with one warning, by size too: %s', async (_, make, heightAmplitude, message) => {
+  ])('is left out with one warning, in modes on and near: %s', async (_, make, heightAmplitude, message) => {
     for (const relief of ['on', 'near'] as const) {
       const { layers, areas } = heightSet()
       const { warnings } = await drawn(make(), { layers: [{ ...layers[0], heightAmplitude }], areas }, relief)
@@ -347,7 +347,7 @@ describe.each(RENDERERS)('relief on %s', (name) => {
       () => crowd(),
       'instances with their own blendshape weights',
     ],
-  ])('is missing for %s: silently by size, with one warning if requested', async (_, make, message) => {
+  ])('is missing for %s: with one warning in mode on, silently in mode near', async (_, make, message) => {
     const { layers, areas } = heightSet()
     const readHeight = vi.fn()
     const unread = { ...layers[0], height: undefined, readHeight }
@@ -360,23 +360,23 @@ describe.each(RENDERERS)('relief on %s', (name) => {
     expect((await drawn(make(), heightSet(), 'on')).warnings).toEqual([expect.stringContaining(message)])
   })
 
-  it('has longer edges if triangles exceed the budget: silently by size, with one warning if requested', async () => {
+  it('has longer edges if there are too many triangles: with one warning in mode on, silently in mode near', async () => {
     const large = ball()
     large.geometry.scale(20, 20, 20)
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
     const wrinkles = await raised(large, heightSet(), { relief: 'near' })
     expect(warn).not.toHaveBeenCalled()
     wrinkles.relief = 'on'
-    expect(warn.mock.calls).toEqual([[expect.stringContaining('so their edges are longer')]])
+    expect(warn.mock.calls).toEqual([[expect.stringContaining('so the edges of its triangles are longer')]])
     expect(large.children).toHaveLength(1)
     wrinkles.dispose()
   })
 
-  /** Returns the warnings after drawing a mesh without support for relief several times. */
+  /** Draws a mesh that cannot have relief several times, and returns the warnings. */
   async function drawn(mesh: Mesh, set: WrinkleSet, relief: 'on' | 'near') {
     const warnings: string[] = []
     vi.spyOn(console, 'warn').mockImplementation((text) => {
-      // three.js warns that the browser, such as Firefox, draws batches one by one.
+      // Ignores a warning of three.js in browsers, such as Firefox, that lack an extension for batches.
       if (!text.includes('WEBGL_multi_draw extension not supported')) warnings.push(text)
     })
     const wrinkles = await raised(mesh, set, { relief })
@@ -388,7 +388,7 @@ describe.each(RENDERERS)('relief on %s', (name) => {
   }
 })
 
-/** Ball with one unused vertex at NaN. Its bounds are preset, because three.js warns about NaN positions. */
+/** Creates a ball with an unused vertex at NaN. Sets its bounds, because three.js would warn when computing them. */
 function brokenBall() {
   const mesh = ball()
   const { geometry } = mesh
@@ -397,7 +397,7 @@ function brokenBall() {
   return mesh
 }
 
-/** Ball on one bone. */
+/** Creates a ball that is skinned to one bone. */
 function skinnedBall() {
   const { geometry, material } = ball()
   geometry.morphAttributes = {}
@@ -412,7 +412,7 @@ function skinnedBall() {
   return { mesh, bone }
 }
 
-/** Two instances, one taller. */
+/** Creates two instances of a ball, one of them taller. */
 function crowd(): InstancedMesh {
   const { geometry, material } = ball()
   const mesh = new InstancedMesh(geometry, material, 2)

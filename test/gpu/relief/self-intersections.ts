@@ -1,18 +1,18 @@
 /** Finds where a surface intersects itself. */
 
-/** Side of the cubes that triangles are sorted into, metres. */
+/** Edge length of the cubes into which triangles are sorted, metres. */
 const CUBE = 0.003
 
 type Point = readonly [number, number, number]
 
-/** Line along which two triangles intersect. */
+/** Line segment along which two triangles intersect. */
 export interface Cut {
   from: Point
   to: Point
 }
 
 /**
- * Finds the lines along which triangles intersect. Pairs with a common corner are skipped.
+ * Finds the line segments along which triangles intersect. Skips pairs of triangles with a common corner.
  *
  * @param positions x, y and z of each vertex, metres.
  */
@@ -55,7 +55,7 @@ export function cutsOf(positions: ArrayLike<number>, triangles: ArrayLike<number
   return cuts
 }
 
-/** Returns the total length of cuts farther than a distance from all others, metres. */
+/** Returns the total length, metres, of the cuts that are farther than `metres` from all of `others`. */
 export function lengthAway(cuts: readonly Cut[], others: readonly Cut[], metres: number): number {
   return cuts.reduce((sum, { from, to }) => {
     const isNear = others.some((other) => distanceTo(middleOf(from, to), other) <= metres)

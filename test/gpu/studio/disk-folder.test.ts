@@ -1,4 +1,4 @@
-// Uses the browser's private file system in place of a picked folder: both have the same handles.
+// A folder of the browser's private file system replaces a folder picked by the user. Both have the same interface.
 
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
 import type { FolderFile } from '../../../studio/src/files/folder-files.ts'
@@ -11,7 +11,7 @@ import {
 
 const text = (content: string) => new TextEncoder().encode(content)
 
-/** Returns a project's files with the images listed in its `studio.json`. */
+/** Returns the files of a project: images, and `studio.json`, which lists images. */
 function filesOf(images: Record<string, string>, listed = Object.keys(images)): FolderFile[] {
   return [
     { path: 'face.glb', content: new Blob(['the face']) },
@@ -50,7 +50,7 @@ afterEach(async () => {
 })
 
 describe('a folder on disk', () => {
-  it('receives all files first, and later only the changed ones', async () => {
+  it('receives all files in the first save, and later only changed ones', async () => {
     const files = filesOf(IMAGES)
     expect((await writeFolder(folder, files)).length).toBe(5)
     expect(await contents()).toMatchObject({ ...IMAGES, 'face.glb': 'the face', 'wrinkles.json': '{}' })
@@ -106,7 +106,7 @@ describe('a folder on disk', () => {
     )
   })
 
-  it('can be picked or not', async () => {
+  it('is the picked one, or undefined if the user cancels the dialog', async () => {
     vi.stubGlobal('showDirectoryPicker', async () => folder)
     expect(canWriteFolders()).toBe(true)
     expect(await pickFolder()).toBe(folder)

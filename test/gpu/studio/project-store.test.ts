@@ -1,4 +1,4 @@
-// Uses no GPU, but a browser: database, locks and quota differ from Node's.
+// Runs in a browser, without drawing, because Node has no IndexedDB, locks and storage quota.
 
 import { signal } from '@preact/signals'
 import { openDB } from 'idb'
@@ -18,7 +18,7 @@ let name: string
 let stores: ProjectStore[]
 let projects: Project[]
 
-/** Opens a store like another tab, or like this page after a reload. */
+/** Opens a store as another tab would, or as this page after a reload. */
 function openStore(): ProjectStore {
   const store = new ProjectStore(name)
   stores.push(store)
@@ -31,7 +31,7 @@ async function create(store: ProjectStore, of = document): Promise<Project> {
   return project
 }
 
-/** Closes everything without saving, as a crash would, and reopens the project. */
+/** Closes all stores without saving, like a crash, and opens the project again. */
 async function reopen(id: string): Promise<Project> {
   for (const project of projects) await project.close()
   for (const store of stores) store.close()
@@ -40,7 +40,7 @@ async function reopen(id: string): Promise<Project> {
   return project
 }
 
-/** Returns all records of a table by key. */
+/** Returns all records of a database table by key. */
 async function recordsOf(table: string): Promise<Map<string, unknown>> {
   const database = await openDB(name)
   const [keys, values] = await Promise.all([database.getAllKeys(table), database.getAll(table)])
@@ -55,7 +55,7 @@ async function changeRecord(table: string, key: IDBValidKey, value: unknown): Pr
   database.close()
 }
 
-/** Counts writes to a table. */
+/** Counts the writes to a database table. */
 function watchWrites(table: string) {
   const put = IDBObjectStore.prototype.put
   const written: unknown[] = []
@@ -66,7 +66,7 @@ function watchWrites(table: string) {
   return written
 }
 
-/** Makes every write to a table fail. */
+/** Makes every write to a database table fail. */
 function failPuts(table: string, error: string): void {
   const put = IDBObjectStore.prototype.put
   vi.spyOn(IDBObjectStore.prototype, 'put').mockImplementation(function (this: IDBObjectStore, value, key) {
@@ -211,7 +211,7 @@ describe('a save', () => {
     expect(await again.files[1].file.text()).toBe('a picture')
   })
 
-  it('is complete before a hidden page continues', async () => {
+  it('is committed during the event pagehide', async () => {
     const project = await create(openStore())
     const edited = signal<StudioDocument>(document)
     const autosave = new AutoSave(edited, (next) => project.save(next))
@@ -258,7 +258,7 @@ describe('failing storage', () => {
 })
 
 describe('invalid records', () => {
-  it('do not hide the others if damaged', async () => {
+  it('do not prevent the listing of others', async () => {
     const store = openStore()
     const [whole, damaged] = [await create(store), await create(store)]
     await changeRecord('projects', damaged.id, { version: 1 })
@@ -291,7 +291,7 @@ describe('invalid records', () => {
 })
 
 describe('two tabs with one project', () => {
-  it('let the second tab look, but not save', async () => {
+  it('let the second tab open the project, but not save it', async () => {
     const first = await create(openStore())
     const second = await openStore().open(first.id)
     expect([first.isReadOnly, second.isReadOnly]).toEqual([false, true])
@@ -330,7 +330,7 @@ describe('two tabs with one project', () => {
     first.onRequested(() => isWanted++)
     const second = await openStore().open(first.id, true)
     expect([first.isReadOnly, second.isReadOnly]).toEqual([true, false])
-    // First when asked, then when the project was lost.
+    // The first tab is notified twice: when the second tab asks for the project, and after it has taken the project.
     await expect.poll(() => isWanted).toBe(2)
     await second.close()
   })

@@ -1,4 +1,4 @@
-// Uses `furrow`, `furrow/author` and `furrow/auto` with nothing else installed.
+// Uses `furrow`, `furrow/author` and `furrow/auto` in an app without other packages.
 import { EXPRESSIONS, FurrowError, parseWrinkleSetDocument, type WrinkleSetDocument } from 'furrow'
 import { bumpToNormal, type NormalMap } from 'furrow/author'
 import { autoWrinklesInWorker } from 'furrow/auto'

@@ -1,4 +1,4 @@
-// Uses `furrow/three` with the oldest three.js, whose types lack `three/webgpu`.
+// Uses `furrow/three` with the oldest supported three.js, whose type declarations lack `three/webgpu`.
 import { ExpressionPlayer, frameFace, WrinkleLoaderPlugin, Wrinkles, wrinklesOf } from 'furrow/three'
 import type { Mesh, Object3D, PerspectiveCamera } from 'three'
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'

@@ -10,7 +10,7 @@ const line = (v: number, group?: string) => ({
   ...(group && { group }),
 })
 
-// 128 mm in 128 texels: the centre of texel i is at i + 0.5 mm.
+// A texel is 1 mm wide, so the centre of texel i is at i + 0.5 mm.
 const canvas = flatCanvas(128, 128, 128)
 const square = [
   [0.25, 0.25],
@@ -30,7 +30,7 @@ function paint(areas: object[], strokes = [line(0.5, 'brow')]) {
 }
 
 describe('paintAreas', () => {
-  it('is 255 inside a polygon, 0 outside its feather, and half on the outline', () => {
+  it('is 255 inside a polygon, 0 outside, and half on the outline, with a smooth transition', () => {
     const [{ name, weights }] = paint([{ name: 'patch', shapes: [{ polygon: square, feather: 8 }] }])
     expect(name).toBe('patch')
     const wrong = texels.filter(({ i, x, y }) => {
@@ -40,12 +40,12 @@ describe('paintAreas', () => {
       return inside <= -4 ? weight !== 0 : inside > 0 && weight <= 127
     })
     expect(wrong).toEqual([])
-    // Half a millimetre inside: smoothstep(0.5 + 0.5 / 8).
+    // The centre of this texel is 0.5 mm inside, where the weight is `smoothstep(0.5 + 0.5 / 8)`.
     const t = 0.5 + 0.5 / 8
     expect(weights.data[64 * 128 + 32]).toBe(Math.round(255 * t * t * (3 - 2 * t)))
   })
 
-  it('surrounds the strokes of a group by its radius', () => {
+  it('covers the skin within a radius around the strokes of a group', () => {
     const [area] = paint(
       [{ name: 'brow', shapes: [{ group: 'brow', radius: 6, feather: 4 }] }],
       [line(0.5, 'brow'), line(0.1, 'other')],
@@ -67,7 +67,7 @@ describe('paintAreas', () => {
     expect(same(twice.weights.data, once.weights.data)).toBe(true)
   })
 
-  it('splits into halves that sum to the original, each zero beyond the blend', () => {
+  it('can be split into two halves that add up to it, each 0 beyond the transition', () => {
     const half = (from: number, to: number) => ({
       polygon: [
         [from, 0],
@@ -83,7 +83,7 @@ describe('paintAreas', () => {
       { name: 'right', shapes, within: half(0, 0.5) },
       { name: 'whole', shapes },
     ])
-    // The map's border also softens the outline of a half.
+    // Skips columns at the border of the map, where the polygon of a half also has a soft outline.
     const wrong = texels.filter(({ i, x }) => {
       if (x < 10 || x > 118) return false
       const [l, r] = [left.weights.data[i], right.weights.data[i]]
@@ -103,6 +103,13 @@ describe('paintAreas', () => {
     expect(areas.map((area) => area.name)).toEqual(['upper', 'lower'])
     expect(areas[0].weights.data[Math.floor(0.3 * 128) * 128 + 64]).toBe(255)
     expect(areas[0].weights.data[Math.floor(0.7 * 128) * 128 + 64]).toBe(0)
+  })
+
+  it('shows bulges up to their feet if the document describes no areas', () => {
+    const bulge = { ...line(0.5, 'bag'), depth: -1, width: 24 }
+    const [area] = paintAreas(parseStrokes({ version: 1, strokes: [bulge] }), canvas)
+    for (const y of [64 - 12, 64 + 11]) expect(area.weights.data[y * 128 + 64]).toBe(255)
+    expect(area.weights.data[(64 + 21) * 128 + 64]).toBe(0)
   })
 
   it('refuses a document with neither areas nor groups', () => {

@@ -2,7 +2,7 @@ import { type BakeMesh, type BakeSource, bakeMaps } from 'furrow/author'
 import { sharedNormals } from 'furrow/internal'
 import { describe, expect, it } from 'vitest'
 
-/** Square of 100 mm in the plane z = 0 with u along +x and v along -y: two triangles, six corners. */
+/** Returns a square of 100 mm in the plane z = 0, with u along +x and v along -y: two triangles without shared vertices. */
 function square(): BakeMesh {
   const corners = [0, 0, 1, 0, 1, 1, 0, 0, 1, 1, 0, 1]
   const positions: number[] = []
@@ -20,7 +20,7 @@ function square(): BakeMesh {
   }
 }
 
-/** Surface z = f(x), metres, hit by vertical rays; `slope` is its derivative. */
+/** Returns the surface `z = f(x)`, metres, for vertical rays. `slope` is the derivative of `f`. */
 function ridge(f: (x: number) => number, slope: (x: number) => number): BakeSource {
   return {
     closestHit(x, _y, z, _dx, _dy, dz, far, hit) {
@@ -51,7 +51,7 @@ describe('bakeMaps', () => {
     )
     expect(rest.occlusion).toBeUndefined()
     expect([misses, emptyTexels]).toEqual([0, 0])
-    // Samples on the diagonal count for both triangles.
+    // A sample on the diagonal of the square counts twice, once per triangle.
     expect(rest.samples).toBeGreaterThanOrEqual(256 * samples)
     expect(rest.samples).toBeLessThanOrEqual(256 * samples + 16 * Math.sqrt(samples))
     expect(progress.at(-1)).toBe(1)
@@ -64,7 +64,7 @@ describe('bakeMaps', () => {
   })
 
   it('averages detail finer than a texel', () => {
-    // Stripes of slope 1 and -1, two per texel.
+    // Each texel contains two stripes, with slopes 1 and -1.
     const stripes = ridge(
       () => 0,
       (x) => (Math.floor(320 * x) % 2 === 0 ? 1 : -1),
@@ -75,7 +75,7 @@ describe('bakeMaps', () => {
     expect(coarse.normal.data[0]).not.toBe(128)
   })
 
-  it('counts texels without a hit, leaves them flat and unoccluded, and fills them from their neighbours', () => {
+  it('leaves texels without a hit flat and unoccluded, counts them, and with a margin fills them from neighbours', () => {
     const half = ridge(
       (x) => (x < 0.05 ? 0.002 : -1),
       () => 0,

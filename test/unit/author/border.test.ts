@@ -7,7 +7,7 @@ import {
 } from '../../../packages/furrow/src/author/border.ts'
 import { seeded } from '../../random.ts'
 
-/** Map of 7 x 5 texels in which only the middle is known. */
+/** Returns a map of 7 x 5 texels in which only the middle texel has a value. */
 function dot() {
   const known = new Uint8Array(35)
   const data = new Float32Array(70)
@@ -20,7 +20,7 @@ const rows = (known: Uint8Array) =>
   Array.from({ length: 5 }, (_, y) => known.slice(7 * y, 7 * y + 7).join(''))
 
 describe('dilate', () => {
-  it('grows by the given number of rings in all directions', () => {
+  it('fills the given number of texels in all directions', () => {
     const { known, maps } = dot()
     dilate(known, 7, maps, 1)
     expect(rows(known)).toEqual(['0000000', '0011100', '0011100', '0011100', '0000000'])
@@ -31,7 +31,7 @@ describe('dilate', () => {
     ).toBe(true)
   })
 
-  it('stops at the border, and does nothing if nothing or everything is known', () => {
+  it('stops at the border of the map, and does nothing if no texel or every texel is known', () => {
     const { known, maps } = dot()
     dilate(known, 7, maps, 100)
     expect(known.every((value) => value === 1)).toBe(true)
@@ -43,7 +43,7 @@ describe('dilate', () => {
     expect(nothing.every((value) => value === 0)).toBe(true)
   })
 
-  it('averages values from before the ring, in any order', () => {
+  it('averages only texels that were known before the current ring, in any order', () => {
     const known = Uint8Array.from([1, 0, 1, 0, 0])
     const data = Float32Array.from([2, 0, 6, 0, 0])
     dilate(known, 5, [{ data, channels: 1 }], 1)
@@ -64,7 +64,7 @@ describe('copyNearest', () => {
 })
 
 describe('extendPlanes', () => {
-  /** Owners of 8 x 8 texels; triangles 0 and 1 cover columns 0 and 7. */
+  /** Returns the triangle of each texel in a map of 8 x 8, after `extendPlanes`. Before, triangle 0 has column 0 and triangle 1 column 7. */
   const extended = (margin: number) => {
     const owners = Int8Array.from({ length: 64 }, (_, texel) =>
       texel % 8 === 0 ? 0 : texel % 8 === 7 ? 1 : -1,
@@ -91,7 +91,7 @@ describe('extendPlanes', () => {
     }
   })
 
-  /** Makes edges at random places, some beyond the map of 64 x 64 texels. */
+  /** Returns random edges, some of them beyond the map of 64 x 64 texels. */
   const edgesOf = (count: number, length: number, random = seeded(3)): BorderEdge[] =>
     Array.from({ length: count }, (_, triangle) => {
       const [x, y] = [72 * random() - 4, 72 * random() - 4]

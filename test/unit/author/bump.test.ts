@@ -7,7 +7,7 @@ const heights = (width: number, height: number, f: (x: number, y: number) => num
   data: Float64Array.from({ length: width * height }, (_, i) => f(i % width, Math.floor(i / width))),
 })
 
-/** Returns the largest angle between the decoded map and the slopes of `exact`, degrees. */
+/** Returns the largest angle between the decoded normals and those of the slopes that `exact` returns, degrees. */
 function worst(
   map: ReturnType<typeof heights>,
   options: BumpOptions,
@@ -34,7 +34,7 @@ describe('bumpToNormal', () => {
     expect(worst(plane, { green, bits: 8 }, () => [0.5, -0.25])).toBeLessThan(0.33)
   })
 
-  it('is exact on a paraboloid up to its border', () => {
+  it('is exact on a paraboloid, including the border of the map', () => {
     const bowl = heights(20, 20, (x, y) => 0.01 * x * x + 0.02 * x * y - 0.03 * y * y)
     const slopes = (x: number, y: number): [number, number] => [0.02 * x + 0.02 * y, 0.02 * x - 0.06 * y]
     expect(worst(bowl, { bits: 16 }, slopes)).toBeLessThan(0.002)
@@ -56,7 +56,7 @@ describe('bumpToNormal', () => {
     const up = bumpToNormal(plane).data
     const down = bumpToNormal(plane, { green: 'down' }).data
     for (let i = 0; i < up.length; i++) {
-      // Rounding halves up can differ by one step.
+      // Negated values can differ by one step, because 0.5 is always rounded up.
       expect(Math.abs(i % 3 === 1 ? up[i] + down[i] - 255 : up[i] - down[i])).toBeLessThanOrEqual(1)
     }
     expect(up[1]).toBeLessThan(128)
@@ -72,7 +72,7 @@ describe('bumpToNormal', () => {
     expect(worst(tiny, { bits: 16 }, () => slope as [number, number])).toBeLessThan(0.01)
   })
 
-  it('is flat on a level, and reports progress to the last row', () => {
+  it('is flat for constant heights, and reports progress up to the last row', () => {
     const progress: string[] = []
     const level = heights(3, 130, () => 7)
     const { data } = bumpToNormal(level, {}, (done, total) => progress.push(`${done}/${total}`))

@@ -14,7 +14,7 @@ import { cylinder, RADIUS, uvOf } from './skins.ts'
 
 const canvas = skinCanvas(cylinder(), 64)
 
-/** Stroke that rises on the front, crosses the seam at +x, and falls on the back. */
+/** Stroke that rises on the front of the cylinder, crosses its UV seam at +x, and falls on the back. */
 const wave: Stroke = {
   group: 'cheekLeft',
   curve: 'spline',
@@ -34,7 +34,7 @@ const wave: Stroke = {
   waviness: 0,
 }
 
-/** Returns the largest distance of a stroke's line from those of others, millimetres. */
+/** Returns the largest distance from a point of a stroke to the nearest of other strokes, millimetres. */
 function farthest(stroke: Stroke, others: readonly Stroke[]): number {
   const curves = others.flatMap((other) => strokeCurves(other, canvas))
   return Math.max(
@@ -47,7 +47,7 @@ function farthest(stroke: Stroke, others: readonly Stroke[]): number {
   )
 }
 
-/** Expects a document to accept the strokes unchanged. */
+/** Expects that the parser of strokes documents accepts the strokes and does not change them. */
 function expectValid(...strokes: Stroke[]): void {
   expect(parseStrokes({ version: 1, strokes: JSON.parse(JSON.stringify(strokes)) }).strokes).toEqual(strokes)
 }
@@ -72,7 +72,7 @@ describe('a stroke as a line in space', () => {
     expect(curves[1].along.at(-1)).toBe(1)
   })
 
-  it('is found by the point nearest to a position', () => {
+  it('has a nearest point to any position', () => {
     const [{ points, along }] = strokeCurves(wave, canvas)
     const i = Math.floor(along.length / 3)
     const [x, y, z] = points.subarray(3 * i, 3 * i + 3)
@@ -88,20 +88,20 @@ describe('points of a stroke', () => {
     const { stroke, index } = insertPoint(wave, along, canvas)
     expect(stroke.points.length).toBe(6)
     expect(stroke.points.toSpliced(index, 1)).toEqual(wave.points)
-    // A hundredth of the distance between points, which is 17 mm here.
+    // The tolerance is about 1% of the distance between points, which is 17 mm.
     expect(farthest(stroke, [wave])).toBeLessThan(0.25)
     expect(farthest(wave, [stroke])).toBeLessThan(0.25)
     expect(removePoint(stroke, index, canvas)).toEqual(wave)
     expectValid(stroke)
   })
 
-  it('are not inserted at existing ones, or where the stroke is off the skin', () => {
+  it('are not inserted at existing points, or where the stroke is off the skin', () => {
     expect(insertPoint(wave, 0, canvas)).toEqual({ stroke: wave, index: -1 })
     const beside: Stroke = { ...wave, points: [[0.01, 0.01], [0.02, 0.02]] } // biome-ignore format: one line
     expect(insertPoint(beside, 0.5, canvas)).toEqual({ stroke: beside, index: -1 })
   })
 
-  it('are removed down to two', () => {
+  it('can be removed until two are left', () => {
     const short = { ...wave, points: wave.points.slice(0, 2) }
     expect(() => removePoint(short, 0, canvas)).toThrow('removePoint: a stroke needs two points')
     expect(() => removePoint(wave, 5, canvas)).toThrow('removePoint: point index out of range')
@@ -139,7 +139,7 @@ describe('a split stroke', () => {
     return depths[Math.round(along * (depths.length - 1))]
   }
 
-  it.each([1, 2, 3])('has two parts that follow it and keep its depth, at point %d', (index) => {
+  it.each([1, 2, 3])('has two parts with the same course and depth, if split at point %d', (index) => {
     const parts = splitStroke(wave, index, canvas)
     expectValid(...parts)
     for (const part of parts) expect(farthest(part, [wave])).toBeLessThan(0.1)
@@ -162,14 +162,14 @@ describe('a split stroke', () => {
       expect(part.depths).toBeUndefined()
   })
 
-  it('can be cut only at inner points', () => {
+  it('cannot be split at its ends', () => {
     for (const index of [0, 4, 1.5])
       expect(() => splitStroke(wave, index, canvas)).toThrow(/splitStroke: point index out of range/)
   })
 })
 
 describe('a mirrored stroke', () => {
-  it('lies on the other side, with its banks and group', () => {
+  it('lies on the other side, with mirrored banks and group', () => {
     const mirrored = mirrorStroke(wave, canvas)
     expect(mirrored).toMatchObject({ shoulder: [0.2, 1], group: 'cheekRight' })
     const [[own], [other]] = [strokeCurves(wave, canvas), strokeCurves(mirrored, canvas)]
@@ -181,7 +181,7 @@ describe('a mirrored stroke', () => {
     expectValid(mirrored)
   })
 
-  it('can use any plane', () => {
+  it('can be mirrored at any plane', () => {
     const mirrored = mirrorStroke(wave, canvas, { origin: [0, 0, 0], normal: [0, 0, 1] })
     const [{ points }] = strokeCurves(mirrored, canvas)
     const [start] = strokeCurves(wave, canvas)
@@ -189,7 +189,7 @@ describe('a mirrored stroke', () => {
     expect(points[2]).toBeCloseTo(-start.points[2], 4)
   })
 
-  it('finds the middle only on a face', () => {
+  it('can be mirrored at the middle only on a face', () => {
     const { positions, uvs, indices = [] } = cylinder()
     expect(middleOf({ positions, uvs, indices, targets: [] })).toBeUndefined()
   })

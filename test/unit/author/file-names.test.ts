@@ -28,7 +28,7 @@ describe('fileNamesOf', () => {
     expect(name).toBe('額'.repeat(33))
   })
 
-  it('distinguishes names that some file system considers equal', () => {
+  it('makes different file names for names that some file systems consider equal', () => {
     expect(fileNamesOf(['Brow', 'brow', 'brow-2', 'caf\u00e9', 'cafe\u0301', 'straße', 'STRASSE'])).toEqual([
       'Brow',
       'brow-3',

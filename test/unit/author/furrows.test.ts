@@ -11,7 +11,7 @@ const SIZE = 400
 const TEXELS = SIZE / SIDE
 const FURROWS = { ...FINE_FURROW_DEFAULTS, size: 2, depth: 0.1 }
 
-/** Line across the middle of the sheet, without depth, so that it only gives directions. */
+/** Stroke across the middle of the sheet. It has no depth, and only gives furrows their direction. */
 const level = parseStrokes({
   version: 1,
   strokes: [
@@ -23,15 +23,15 @@ const level = parseStrokes({
   ],
 }).strokes
 
-/** Counts texels in a furrow of about half depth. */
+/** Counts the texels at about half depth. The furrows that divide large cells have this depth. */
 const between = (data: Float32Array) => data.filter((height) => height < -0.03 && height > -0.05).length
 
 const lowestOf = (data: Float32Array) => data.reduce((low, height) => Math.min(low, height))
 
-/** Fraction of the greatest depth that small cells' furrows do not reach. */
+/** Fraction of the greatest depth that only the furrows around large cells reach. */
 const LARGE = 0.46
 
-/** Returns the distance between furrows of large cells, millimetres, along rows or columns near the middle. */
+/** Returns the mean distance between the furrows around large cells, millimetres, along rows or columns near the middle. */
 function spacing(data: Float32Array, along: 'rows' | 'columns'): number {
   let [length, count] = [0, 0]
   for (let line = 150; line < 250; line++) {
@@ -46,7 +46,7 @@ function spacing(data: Float32Array, along: 'rows' | 'columns'): number {
   return length / count
 }
 
-/** Returns the texel counts of connected patches whose heights pass a test. */
+/** Finds connected patches of texels whose heights pass a test, and returns the number of texels in each. */
 function patches(data: Float32Array, isIn: (height: number) => boolean): number[] {
   const left = new Set([...data.keys()].filter((texel) => isIn(data[texel])))
   const sizes: number[] = []
@@ -80,11 +80,11 @@ describe('furrowHeights', () => {
     expect(same(furrowHeights(canvas, { ...FURROWS, seed: 2 }).data, data)).toBe(false)
   })
 
-  test('divides large cells by smaller ones with shallower furrows', () => {
+  test('divides large cells into smaller ones by shallower furrows', () => {
     expect(between(data) / data.length).toBeGreaterThan(0.05)
   })
 
-  test('is broken, because closed cells would look like scales', () => {
+  test('has gaps in furrows, because closed cells would look like scales', () => {
     const cell = (FURROWS.size * TEXELS) ** 2
     const closed = patches(data, (height) => height > -LARGE * FURROWS.depth).filter(
       (texels) => texels > cell / 4 && texels < 2 * cell,
@@ -100,7 +100,7 @@ describe('furrowHeights', () => {
   })
 
   test('continues across seams of the texture', () => {
-    // The left half of the sheet keeps its texels. The right half is a separate island, moved up by a quarter.
+    // The left half of the sheet stays in place. The right half becomes a separate island, moved up by a quarter of the texture.
     const left = sheet([SIDE, 0, 0], [0, -SIDE, 0], [0, 0.5, 0.5, 1])
     const right = sheet([SIDE, 0, 0], [0, -SIDE, 0], [0.5, 0.5, 1, 1])
     const uvs = Array.from(right.uvs, (value, k) => (k % 2 === 1 ? value - 0.25 : value))
@@ -112,13 +112,13 @@ describe('furrowHeights', () => {
     }
   })
 
-  test('is shallower where texels are too large for it', () => {
+  test('is shallower if texels are too large', () => {
     const coarse = furrowHeights(flatCanvas(SIDE, SIDE, 40), FURROWS).data
     expect(lowestOf(coarse)).toBeGreaterThan(-0.05)
   })
 
-  test('leaves out exactly the furrows narrower than two texels', () => {
-    // Furrows of large cells are 0.6 mm wide, of small ones 0.27 mm.
+  test('leaves out the furrows that are narrower than two texels, and no others', () => {
+    // Furrows around large cells are 0.6 mm wide, those around small cells 0.27 mm.
     expect(lowestOf(furrowHeights(flatCanvas(SIDE, SIDE, 100), FURROWS).data)).toBe(0)
     const { data } = furrowHeights(flatCanvas(SIDE, SIDE, 150), FURROWS)
     expect(lowestOf(data)).toBeCloseTo(-0.1, 2)
@@ -136,7 +136,7 @@ describe('furrowHeights', () => {
     const column = (column: number) =>
       Float32Array.from({ length: SIZE }, (_, row) => drawn[row * SIZE + column])
 
-    test('the net covers only these regions, as deep as each states', () => {
+    test('furrows cover only these regions, with the depth of each region', () => {
       expect(lowestOf(drawn.filter((_, texel) => texel % SIZE < 160))).toBeCloseTo(-0.05, 2)
       expect(lowestOf(drawn)).toBeCloseTo(-0.1, 2)
       const outside: number[] = []
@@ -152,7 +152,7 @@ describe('furrowHeights', () => {
       expect(outside.filter((depth) => depth > 1e-9)).toEqual([])
     })
 
-    test('each region has cells of its size', () => {
+    test('each region has cells of the size that it states', () => {
       const [fine, coarse] = regions.map(({ at: [u], depth }) => {
         const middle = u * SIZE
         let count = 0

@@ -1,11 +1,18 @@
-import { parseStrokes, type SkinCanvas, type Stroke, skinCanvas, strokesToHeight } from 'furrow/author'
+import {
+  parseStrokes,
+  type SkinCanvas,
+  type Stroke,
+  StrokeLayer,
+  skinCanvas,
+  strokesToHeight,
+} from 'furrow/author'
 import { describe, expect, it } from 'vitest'
 import { across } from '../../strokes.ts'
 import { flatCanvas, same, sheet } from './planes.ts'
 
 const strokes = (...list: object[]): Stroke[] => parseStrokes({ version: 1, strokes: list }).strokes
 
-/** Horizontal line across the middle of the map, without tapered ends. */
+/** Horizontal stroke across the middle of the map, without tapered ends. */
 const level = {
   points: across(0.5, 0.05, 0.95),
   width: 4,
@@ -13,12 +20,12 @@ const level = {
   taper: 0,
 }
 
-/** Returns the height at x, y in millimetres on an upright sheet, interpolated between texels. */
+/** Returns the height at (x, y), millimetres, on a flat sheet. Interpolates between texels. */
 function sample(data: Float32Array, canvas: SkinCanvas, x: number, y: number): number {
   return texelAt(data, canvas, x / Math.sqrt(canvas.metric.uu[0]), y / Math.sqrt(canvas.metric.vv[0]))
 }
 
-/** Returns the height at (u, v), interpolated between texels. */
+/** Returns the height at the texture coordinates (u, v). Interpolates between texels. */
 function texelAt(
   data: Float32Array,
   { metric: { width, height } }: SkinCanvas,
@@ -36,7 +43,7 @@ const lowestOf = (data: Float32Array) => data.reduce((low, mm) => Math.min(low, 
 const highestOf = (data: Float32Array) => data.reduce((high, mm) => Math.max(high, mm))
 
 describe('strokesToHeight', () => {
-  // 100 mm in 401 texels: an odd number puts the line at v = 0.5 on the centres of a row.
+  // An odd number of texels, so that the line at v = 0.5 runs through the centres of a row.
   const canvas = flatCanvas(100, 100, 401)
 
   it.each([0, 0.4, 1])('gives the stated depth and width with shoulders of %d', (shoulder) => {
@@ -48,17 +55,17 @@ describe('strokesToHeight', () => {
     expect(lowestOf(data)).toBeGreaterThanOrEqual(-0.6001)
   })
 
-  it('has banks only with shoulders, and is exactly 0 far away', () => {
+  it('has banks (raised skin beside the valley) only if the shoulder is not 0, and is exactly 0 far away', () => {
     const bare = strokesToHeight(strokes({ ...level, shoulder: 0 }), canvas).data
     expect(highestOf(bare)).toBe(0)
     const full = strokesToHeight(strokes({ ...level, shoulder: 1 }), canvas).data
-    // For a softness of 0.4, about two half widths from the bottom.
+    // With the default softness of 0.4, a bank is highest about two half widths away from the bottom of the valley.
     expect(highestOf(full)).toBeCloseTo(0.6 * 0.2798, 3)
     expect(sample(full, canvas, 50, 50 + 7 * 2 + 0.5)).toBe(0)
     expect(sample(full, canvas, 50, 50 - 7 * 2 - 0.5)).toBe(0)
   })
 
-  it('keeps the volume: full shoulders put into the banks what the valley lost, at any reach', () => {
+  it('has banks with the volume of the valley if the shoulder is 1, for any bank width', () => {
     for (const bank of [10, 17, 30]) {
       const { data } = strokesToHeight(
         strokes({ ...level, width: 8, shoulder: 1, softness: 0, bank }),
@@ -71,7 +78,7 @@ describe('strokesToHeight', () => {
         else banks += h
       }
       expect(banks / valley).toBeGreaterThan(0.98)
-      // The fade at the valley's far end takes a twentieth of the volume.
+      // The valley fades out at a distance from the line. The fade removes a twentieth of its volume.
       expect(banks / valley).toBeLessThan(1.07)
     }
   })
@@ -87,7 +94,7 @@ describe('strokesToHeight', () => {
     })
     const { data } = strokesToHeight(strokes(line(0.45), line(0.55)), canvas)
     const profile = Array.from({ length: 41 }, (_, i) => sample(data, canvas, 50, 45 + i / 4))
-    // Convex everywhere from 1 mm beside one bottom to 1 mm beside the other.
+    // Checks the skin between the two bottoms, except for 1 mm beside each bottom.
     for (let i = 4; i <= 36; i++) {
       expect(profile[i - 1] + profile[i + 1] - 2 * profile[i]).toBeLessThan(1e-4)
     }
@@ -97,7 +104,7 @@ describe('strokesToHeight', () => {
     expect(profile[crest]).toBeGreaterThan(0.15)
   })
 
-  it('has no rim: a bank falls less than a tenth as steeply as it rises from the bottom', () => {
+  it('has no rim: the outer side of a bank has less than a tenth of the slope of the inner side', () => {
     const { data } = strokesToHeight(strokes({ ...level, width: 2, depth: 1, shoulder: 1, bank: 9 }), canvas)
     const profile = Array.from({ length: 45 }, (_, i) => sample(data, canvas, 50, 50 + i / 4))
     const slopes = profile.slice(1).map((height, i) => 4 * (height - profile[i]))
@@ -106,8 +113,8 @@ describe('strokesToHeight', () => {
   })
 
   describe('on texels as wide as a fine line', () => {
-    // 100 mm in 201 texels, like the temples of a face at 1024 texels. The slanted line crosses some texels at their centres and others
-    // between them.
+    // 201 texels for 100 mm, as on the temples of a face with maps of 1024 texels. The slanted line runs through the centres of some texels,
+    // and between the centres of others.
     const coarse = flatCanvas(100, 100, 201)
     const slanting = {
       points: [
@@ -119,7 +126,7 @@ describe('strokesToHeight', () => {
       shoulder: 1,
       softness: 0.4,
     }
-    /** Returns the steepest slope between neighbouring texels of some columns. */
+    /** Returns the steepest slope between vertical neighbours in the columns `from` to `to`. */
     const steepest = (data: Float32Array, from: number, to: number) => {
       let most = 0
       for (let x = from; x < to; x++)
@@ -128,7 +135,7 @@ describe('strokesToHeight', () => {
       return most
     }
 
-    it('is as deep between two texels as on one: a line, not a row of dots', () => {
+    it('is equally deep at texel centres and between them, not a row of dots', () => {
       const { data } = strokesToHeight(strokes({ ...slanting, taper: 0 }), coarse)
       const depths = Array.from({ length: 120 }, (_, x) =>
         Math.max(...Array.from({ length: 201 }, (_, y) => -data[y * 201 + x + 40])),
@@ -136,9 +143,9 @@ describe('strokesToHeight', () => {
       expect(Math.max(...depths) / Math.min(...depths)).toBeLessThan(1.5)
     })
 
-    it('has ends that fade out, much less steep than its middle', () => {
+    it('has ends that fade out and are much less steep than its middle', () => {
       const { data } = strokesToHeight(strokes({ ...slanting, width: 1.6, taper: 0.5 }), coarse)
-      // The line covers columns 20 to 181, and its last fifth tapers.
+      // The line covers columns 20 to 181. Columns 149 to 181 are at its tapered end.
       expect(steepest(data, 149, 181) / steepest(data, 80, 120)).toBeLessThan(0.35)
     })
 
@@ -151,19 +158,57 @@ describe('strokesToHeight', () => {
     })
   })
 
-  it('is steeper on the left with lean, and equally deep', () => {
+  it('is steeper on the left with a lean of 0.5, and equally deep', () => {
     const { data } = strokesToHeight(strokes({ ...level, shoulder: 0, lean: 0.5 }), canvas)
     expect(sample(data, canvas, 50, 50)).toBeCloseTo(-0.6, 3)
-    // The line runs to the right. Its half width is 2 mm times 0.5 on its left (up), and times 1.5 on its right.
+    // The line runs to the right, so its left side is above. The half width is 2 mm * 0.5 on the left, and 2 mm * 1.5 on the right.
     expect(sample(data, canvas, 50, 49)).toBeCloseTo(-0.6 / Math.E, 2)
     expect(sample(data, canvas, 50, 53)).toBeCloseTo(-0.6 / Math.E, 2)
   })
 
   it('raises the left and the right side separately', () => {
     const { data } = strokesToHeight(strokes({ ...level, shoulder: [1, 0] }), canvas)
-    // The line runs to the right, so its left side is the upper one: smaller v.
+    // The line runs to the right, so its left side is above, at smaller v.
     expect(sample(data, canvas, 50, 46)).toBeGreaterThan(0.05)
     expect(sample(data, canvas, 50, 54)).toBeLessThan(-0.01)
+  })
+
+  describe('with a negative depth', () => {
+    const bulge = { ...level, depth: -1.5, width: 20 }
+
+    it('raises a smooth bulge with the stated height and width, without banks', () => {
+      const { data } = strokesToHeight(strokes({ ...bulge, shoulder: 1, bank: 30 }), canvas)
+      expect(sample(data, canvas, 50, 50)).toBeCloseTo(1.5, 3)
+      for (const side of [-1, 1]) {
+        expect(sample(data, canvas, 50, 50 + 5 * side)).toBeCloseTo(1.5 * 0.75 ** 2, 2)
+        expect(sample(data, canvas, 50, 50 + 10.3 * side)).toBe(0)
+      }
+      expect(lowestOf(data)).toBe(0)
+      const profile = Array.from({ length: 81 }, (_, i) => sample(data, canvas, 50, 40 + i / 4))
+      const slopes = profile.slice(1).map((height, i) => 4 * Math.abs(height - profile[i]))
+      expect(Math.max(...slopes)).toBeLessThan((3.1 * 1.5) / 20)
+    })
+
+    it('leans: a lean of 0.5 makes the left side steeper', () => {
+      const { data } = strokesToHeight(strokes({ ...bulge, lean: 0.5 }), canvas)
+      expect(sample(data, canvas, 50, 50)).toBeCloseTo(1.5, 3)
+      expect(sample(data, canvas, 50, 44.7)).toBe(0)
+      expect(sample(data, canvas, 50, 57.5)).toBeCloseTo(1.5 * 0.75 ** 2, 2)
+      expect(sample(data, canvas, 50, 65.3)).toBe(0)
+    })
+
+    it('is added to valleys and other bulges', () => {
+      const alone = strokesToHeight(strokes(bulge), canvas).data
+      const valley = strokesToHeight(strokes(level), canvas).data
+      const all = strokesToHeight(strokes(bulge, level, bulge), canvas).data
+      for (let i = 0; i < all.length; i += 7) expect(all[i]).toBeCloseTo(2 * alone[i] + valley[i], 5)
+    })
+
+    it('occludes nothing', () => {
+      const layer = new StrokeLayer(canvas)
+      layer.draw(strokes(bulge))
+      expect(layer.occlusion.data.every((open) => open === 255)).toBe(true)
+    })
   })
 
   it('measures width on the skin, however the texture is stretched', () => {
@@ -179,7 +224,7 @@ describe('strokesToHeight', () => {
   })
 
   it('measures width on the skin on a sheared texture', () => {
-    // P = u (100, 0, 0) + v (50, -80, 0) mm. The strokes run across and down on the skin, through (75, -40).
+    // Positions are `u * (100, 0, 0) + v * (50, -80, 0)` mm. The strokes run across, down and diagonally through (75, -40).
     const sheared = skinCanvas(sheet([100, 0, 0], [50, -80, 0]), 401)
     const uv = (x: number, y: number) => [(x + (50 / 80) * y) / 100, -y / 80]
     for (const ends of [
@@ -202,7 +247,7 @@ describe('strokesToHeight', () => {
     const { data } = strokesToHeight(strokes({ ...level, taper: [0.2, 0.4] }), canvas)
     expect(sample(data, canvas, 5.2, 50)).toBeGreaterThan(-0.01)
     expect(sample(data, canvas, 94.8, 50)).toBeGreaterThan(-0.01)
-    // Smoothstep is 0.5 halfway along a taper.
+    // The taper is a smoothstep, which is 0.5 halfway.
     expect(sample(data, canvas, 5 + 0.1 * 90, 50)).toBeCloseTo(-0.3, 2)
     expect(sample(data, canvas, 95 - 0.2 * 90, 50)).toBeCloseTo(-0.3, 2)
     expect(sample(data, canvas, 5 + 0.4 * 90, 50)).toBeCloseTo(-0.6, 2)
@@ -221,7 +266,7 @@ describe('strokesToHeight', () => {
   })
 
   it('follows a Bezier curve', () => {
-    // A half circle of radius 20 mm from the usual four-point arcs (error 0.03%).
+    // A half circle of radius 20 mm, made of two cubic arcs, whose error is 0.03%.
     const k = 0.2 * 0.5523
     const arc = {
       ...level,
@@ -254,7 +299,7 @@ describe('strokesToHeight', () => {
       const column = Array.from({ length: 81 }, (_, y) => sample(data, canvas, 5 + i, 46 + y / 10))
       return 46 + column.indexOf(Math.min(...column)) / 10
     }).slice(2, -2)
-    // Offset by at most 0.4 of the width, 1.6 mm.
+    // The line may leave its course by 0.4 * width, which is 1.6 mm.
     expect(Math.max(...lowest)).toBeLessThan(51.7)
     expect(Math.min(...lowest)).toBeGreaterThan(48.3)
     expect(Math.max(...lowest) - Math.min(...lowest)).toBeGreaterThan(0.5)

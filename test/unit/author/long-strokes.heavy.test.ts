@@ -4,7 +4,7 @@ import { layOutStrokes } from '../../../packages/furrow/src/author/strokes/lay-o
 import { across } from '../../strokes.ts'
 import { sheet } from './auto/sheet.ts'
 
-test('strokes are refused if they are too long in total, for drawing maps or areas', () => {
+test('strokes that are too long in total are refused when drawing maps or areas', () => {
   const { positions, uvs, indices } = sheet(8, 0)
   const canvas = skinCanvas({ positions, uvs, indices }, 16, 16, 1)
   const stroke = {

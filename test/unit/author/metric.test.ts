@@ -20,7 +20,7 @@ describe('surfaceMetric', () => {
     expect(metric.vv[0]).toBeCloseTo(2500, 1)
   })
 
-  it('extends the nearest values outside the islands and marks them', () => {
+  it('has the nearest values outside the islands, and marks those texels as outside', () => {
     const left = sheet([100, 0, 0], [0, -100, 0], [0, 0, 0.25, 1])
     const right = sheet([300, 0, 0], [0, -100, 0], [0.75, 0, 1, 1])
     const metric = surfaceMetric(joined(left, right), 32)

@@ -53,14 +53,14 @@ describe('heightToNormal', () => {
   })
 
   it('gives the slopes of a sine in both directions on a stretched sheet', () => {
-    // 200 x 80 mm, with 8 waves along u and 5 along v, and steepest slopes of 0.3 and 0.5 mm per mm.
+    // The sheet has 200 x 80 mm, 8 waves along u with slopes up to 0.3, and 5 waves along v with slopes up to 0.5.
     const metric = flatMetric(200, 80, SIDE)
     const [ku, kv] = [2 * Math.PI * 8, 2 * Math.PI * 5]
     const [au, av] = [(0.3 * 200) / ku, (0.5 * 80) / kv]
     const map = heights((u, v) => au * Math.sin(ku * u) + av * Math.sin(kv * v))
     const worst = worstAngle(map, metric, (u, v) => [
       -0.3 * Math.cos(ku * u),
-      // Green points to smaller v, so a slope that rises with v leans that way.
+      // Green is positive towards smaller v. The normal of a surface that rises with v leans towards smaller v.
       0.5 * Math.cos(kv * v),
       1,
     ])
@@ -73,7 +73,7 @@ describe('heightToNormal', () => {
     const { data } = heightToNormal(map, metric)
     const worst = worstAngle(map, metric, (u, v) => {
       const r = Math.hypot(u - 0.5, v - 0.5)
-      // The tip has no normal.
+      // Skips the tip, which has no normal.
       if (r < 0.02) {
         const i = 4 * (Math.floor(v * SIDE) * SIDE + Math.floor(u * SIDE))
         return [data[i] - 127.5, data[i + 1] - 127.5, data[i + 2] - 127.5]
@@ -84,15 +84,15 @@ describe('heightToNormal', () => {
   })
 
   it('uses the orthonormal frame of a sheared texture', () => {
-    // P = u (100, 0, 0) + v (50, -80, 0) mm. The frame is x (+u) and y (perpendicular, towards smaller v).
+    // Positions are `u * (100, 0, 0) + v * (50, -80, 0)` mm. In the tangent frame, x is along u, and y points towards smaller v.
     const metric = surfaceMetric(sheet([100, 0, 0], [50, -80, 0]), SIDE)
-    // Plane that falls 0.4 mm per mm along x and rises 0.3 along y, in u and v.
+    // A plane that falls by 0.4 mm per mm along x and rises by 0.3 mm per mm along y.
     const map = heights((u, v) => -0.4 * (100 * u + 50 * v) + 0.3 * (-80 * v))
     expect(worstAngle(map, metric, () => [0.4, -0.3, 1])).toBeLessThan(0.3)
   })
 
   it("writes normals that three.js's derivative frame turns back into the slope", () => {
-    // P = u (100, 0, 0) + v (50, -80, 0) mm has the gradients grad u = (1, 0.625) / 100, grad v = (0, -1) / 80.
+    // For positions `u * (100, 0, 0) + v * (50, -80, 0)`, grad u = (1, 0.625) / 100 and grad v = (0, -1) / 80.
     const metric = surfaceMetric(sheet([100, 0, 0], [50, -80, 0]), SIDE)
     const map = heights((u, v) => -0.4 * (100 * u + 50 * v) + 0.3 * (-80 * v))
     const { data } = heightToNormal(map, metric, 'derivative')

@@ -5,7 +5,7 @@ import { seeded } from '../../random.ts'
 
 const ORIGIN = [0, 0, 0]
 
-/** Random unit vectors, and the six axes, where building a basis can fail. */
+/** Random unit vectors, and the six directions along axes, for which building a basis can fail. */
 const NORMALS = [
   ...[0, 1, 2].flatMap((k) => [1, -1].map((sign) => [0, 0, 0].with(k, sign))),
   ...Array.from({ length: 20 }, (_, i) => {

@@ -1,7 +1,7 @@
 import { type MetricMesh, type SkinCanvas, skinCanvas } from 'furrow/author'
 import { type Metric, surfaceMetric } from 'furrow/internal'
 
-/** Flat sheet P(u, v) = u a + v b, with a and b in millimetres, over a rectangle of the texture. */
+/** Returns a flat sheet with positions `u * a + v * b`, millimetres, over a rectangle of the texture. */
 export function sheet(
   a: [number, number, number],
   b: [number, number, number],
@@ -24,12 +24,12 @@ export function joined(...sheets: MetricMesh[]): MetricMesh {
   }
 }
 
-/** Upright sheet of `width` x `height` millimetres to draw on, with `texels` x `texels` texels. */
+/** Returns a canvas for drawing: a flat sheet of `width` x `height` millimetres with `texels` x `texels` texels. */
 export function flatCanvas(width: number, height: number, texels: number): SkinCanvas {
   return skinCanvas(sheet([width, 0, 0], [0, -height, 0]), texels)
 }
 
-/** Metric of an upright sheet of `width` x `height` millimetres with `texels` x `texels` texels. */
+/** Returns the metric of a flat sheet of `width` x `height` millimetres with `texels` x `texels` texels. */
 export function flatMetric(width: number, height: number, texels: number): Metric {
   return surfaceMetric(sheet([width, 0, 0], [0, -height, 0]), texels)
 }

@@ -35,7 +35,7 @@ const DRAWN = [...both('forehead'), 'glabella', 'nose']
 const MADE = [...both('crowsFeet'), ...both('nasolabial'), ...both('underEye'), 'upperLip', 'lowerLip']
 const AREAS = [...DRAWN, ...MADE]
 
-/** Options of `furrow auto` in faces/human/README.md. */
+/** Options that the command in faces/human/README.md has. */
 const OPTIONS = {
   age: 50,
   strength: 1.3,
@@ -44,7 +44,7 @@ const OPTIONS = {
   regions: ['glabella', 'nose', 'crowsFeet', 'nasolabial', 'underEye', 'upperLip', 'lowerLip'],
 } as const satisfies AutoOptions
 
-/** Returns the weights of a committed area, 255 = fully visible. */
+/** Returns the weights of a committed area, where 255 is fully visible. */
 async function committed(name: string, face = 'human'): Promise<Uint8Array> {
   const { width, height, data } = await grayOf(`${face}/areas/${name}.png`)
   expect([width, height]).toEqual([128, 128])
@@ -69,7 +69,7 @@ describe.each(FACES)('faces/%s', (name) => {
   const set = parseWrinkleSetDocument(json(`${name}/wrinkles.json`))
   const [layer] = set.layers
   let made: AutoWrinkles
-  /** Computed strokes, with hand-drawn ones at glabella and nose. */
+  /** Strokes document: computed strokes, and hand-drawn ones at glabella and nose. */
   let document: StrokesDocument
   let lines: StrokeLayer
 
@@ -113,7 +113,7 @@ describe.each(FACES)('faces/%s', (name) => {
     expect(largestDifference(occlusion.data, halfSide(lines.occlusion).data)).toBeLessThanOrEqual(1)
   })
 
-  it('has the heights of its strokes, which move the skin with relief', async () => {
+  it('has the heights of its strokes, for relief', async () => {
     const { levels, amplitude } = heightLevels(lines.heights.data)
     expect(layer.heightAmplitude).toBeCloseTo(amplitude, 6)
     const heights = await grayOf(`${name}/layers/expression/height.png`)
@@ -137,7 +137,7 @@ describe.each(FACES)('faces/%s', (name) => {
 })
 
 describe('shipped areas', () => {
-  it('equal those of their document, up to rounding', async () => {
+  it('equal those painted from their strokes document, up to rounding', async () => {
     const { mesh } = await readFaceMesh(path('human.glb'), 'test')
     const painted = paintAreas(strokes(), skinCanvas(mesh, 128))
     expect(painted.map((area) => area.name)).toEqual(DRAWN)
@@ -146,10 +146,10 @@ describe('shipped areas', () => {
     }
   })
 
-  it('keep to their side of the face', async () => {
+  it('stay on their side of the face', async () => {
     for (const name of AREAS) {
       const weights = await committed(name)
-      // 14 mm of blend on the forehead, half on either side: less than 0.02 of the texture.
+      // Areas of both sides blend over 14 mm at the middle of the forehead. Half of that is less than 0.02 of the texture.
       for (let i = 0; i < weights.length; i++) {
         const u = ((i % 128) + 0.5) / 128
         if (name.endsWith('Left') && u < 0.475) expect(weights[i], name).toBe(0)
@@ -173,7 +173,7 @@ describe('shipped areas', () => {
     }
   })
 
-  it('sum to the complete forehead at the middle', async () => {
+  it('of the left and right forehead sum to 1 at the middle', async () => {
     const [left, right] = [await committed('foreheadLeft'), await committed('foreheadRight')]
     for (let y = Math.round(0.3 * 128); y < 0.39 * 128; y++) {
       for (let x = 60; x < 68; x++) {
@@ -184,7 +184,7 @@ describe('shipped areas', () => {
     }
   })
 
-  it('cover every stroke, and leave no height uncovered', async () => {
+  it('cover every stroke and every height', async () => {
     const total = new Float64Array(128 * 128)
     for (const name of AREAS) {
       const weights = await committed(name)

@@ -7,10 +7,10 @@ import { describe, expect, it } from 'vitest'
 const HUMAN = fileURLToPath(new URL('../../../faces/human.glb', import.meta.url))
 
 describe('the surface of a skin', () => {
-  it("of a face is in the face's frame, however the face is turned and scaled", async () => {
+  it('of a face has the coordinates of the face, whatever its rotation and scale', async () => {
     const { skin } = findSkin(await readDocument(HUMAN, 'test'), HUMAN, 'test')
     const { surface, scale } = skinSurface(skin)
-    // A quarter turn about y, twice as large, moved.
+    // Rotates by a quarter turn about y, doubles the size, and moves the points.
     const turned = (vectors: ArrayLike<number>, [x, y, z]: readonly number[]) =>
       Float64Array.from({ length: vectors.length }, (_, i) => {
         const first = i - (i % 3)
@@ -33,13 +33,13 @@ describe('the surface of a skin', () => {
     targets: [],
   }
 
-  it('of anything else is in millimetres in its own frame', () => {
+  it('without a face is in millimetres, in the coordinates of the mesh', () => {
     const { surface, scale } = skinSurface(sheet)
     expect(scale).toBe(1000)
     expect([...surface.points.slice(3, 6)]).toEqual([100, 0, 0])
   })
 
-  it('lists a texel shared by several triangles once for each other triangle', () => {
+  it('lists a texel of several triangles once more for each triangle after the first', () => {
     const { surface } = skinSurface(sheet)
     const { texels } = mapSkin(sheet, surface, 16)
     const own: number[] = []
@@ -55,8 +55,8 @@ describe('the surface of a skin', () => {
     expect(own.length).toBeGreaterThan(80)
   })
 
-  it('is drawn on both sides unless a part shares texels with its mirror image', () => {
-    // A sheet from left to right, and two limbs: triangles on the same half of the texture.
+  it('is drawn on both sides, but only on one side where both share texels', () => {
+    // A sheet across the middle, and a triangle on each side. Both triangles use the same half of the texture.
     const body = {
       positions: [
         [-0.1, 0, 0, 0.1, 0, 0, -0.1, 0.1, 0, 0.1, 0.1, 0],

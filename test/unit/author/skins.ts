@@ -3,12 +3,12 @@ import type { MetricMesh } from 'furrow/author'
 /** Radius and height of the cylinder, millimetres. */
 export const RADIUS = 20
 export const HEIGHT = 60
-/** Columns around the cylinder. */
+/** Number of quads around the cylinder. */
 const COLUMNS = 96
 
 /**
- * Cylinder with two UV islands, cut at x < 0, z = 0 and x > 0, z = 0. Seen from outside, the front (z > 0) is on the left of the texture.
- * The back is on the right, upside down.
+ * Returns a cylinder around the y axis with two UV islands. Both seams are at z = 0, one at -x and one at +x. The front (z > 0) is on the left
+ * of the texture. The back is on the right, upside down.
  */
 export function cylinder(): MetricMesh {
   const [positions, uvs, indices]: number[][] = [[], [], []]
@@ -16,7 +16,7 @@ export function cylinder(): MetricMesh {
     const first = positions.length / 3
     for (let row = 0; row <= 12; row++) {
       for (let column = 0; column <= COLUMNS / 2; column++) {
-        // From -x over the front to +x, then over the back.
+        // The angle runs from -x over the front to +x. For the second island, it continues over the back to -x.
         const angle = Math.PI * (half - column / (COLUMNS / 2) + 1)
         const [along, up] = [column / (COLUMNS / 2), row / 12]
         positions.push(RADIUS * Math.cos(angle), HEIGHT * up, RADIUS * Math.sin(angle))
@@ -30,14 +30,14 @@ export function cylinder(): MetricMesh {
   return { positions: positions.map((value) => Math.round(1e6 * value) / 1e9), uvs, indices }
 }
 
-/** Returns the UV at an angle from -x, in half turns 0..2, and a height in millimetres. */
+/** Returns the UV of a point: `turn` is the angle from -x in half turns, 0..2, and `y` the height in millimetres. */
 export function uvOf(turn: number, y: number): [number, number] {
   return turn <= 1
     ? [0.05 + 0.4 * turn, 0.9 - (0.8 * y) / HEIGHT]
     : [0.95 - 0.4 * (turn - 1), 0.1 + (0.8 * y) / HEIGHT]
 }
 
-/** Sheet of 100 x 50 mm whose texture is folded at x = 0. */
+/** Returns a sheet of 100 x 50 mm whose left and right half share texels: the UV layout is folded at x = 0. */
 export function folded(): MetricMesh {
   const [positions, uvs, indices]: number[][] = [[], [], []]
   for (let row = 0; row <= 4; row++) {

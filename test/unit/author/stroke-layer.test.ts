@@ -1,9 +1,9 @@
-import { type Stroke, StrokeLayer, skinCanvas } from 'furrow/author'
+import { type Stroke, StrokeLayer, skinCanvas, strokesToOnset } from 'furrow/author'
 import { describe, expect, it, vi } from 'vitest'
 import { LineGrid } from '../../../packages/furrow/src/author/strokes/line-grid.ts'
 import { cylinder, uvOf } from './skins.ts'
 
-/** Counts searches for lines around a texel. */
+/** Counts how often an action searches for the lines near a texel. */
 function searchesOf(action: () => unknown): number {
   const visit = vi.spyOn(LineGrid.prototype, 'visit')
   action()
@@ -30,7 +30,8 @@ describe('a layer of strokes', () => {
     const own = line([0.8, 0.95, 1.05, 1.2], 12)
     const changed = layer.draw([own]).sort((a, b) => a.x0 - b.x0)
     expect(changed.length).toBe(2)
-    // The islands end and begin at 115 and 141. Both are extended by 14 texels, and slopes take two more.
+    // The left island ends at column 115, and the right one begins at 141. Heights are drawn up to 14 texels beyond an island. A slope depends
+    // on heights up to 2 texels away, so slopes change up to 16 texels beyond an island.
     expect(changed[0].x1).toBeLessThanOrEqual(115 + 17)
     expect(changed[1].x0).toBeGreaterThanOrEqual(141 - 17)
     expect(layer.draw([own])).toEqual([])
@@ -42,17 +43,17 @@ describe('a layer of strokes', () => {
     const others = [5, 15, 45, 55].map((y) => line([0.2, 0.8], y))
     const own = line([0.3, 0.5], 30)
     layer.draw([...others, own])
-    // Reach of 7 mm, in texels of 60 mm / (0.8 * 256), plus two for slopes.
+    // A stroke reaches 7 mm, and a texel is 60 mm / (0.8 * 256) high. The margin of 4 texels allows for slopes and rounding.
     const most = 30 + 2 * (7 * (205 / 60) + 4)
     for (const { y0, y1 } of layer.draw([...others, { ...own, depth: 0.5 }]))
       expect(y1 - y0).toBeLessThan(most)
-    // Overwritten texels elsewhere stay, so they were not redrawn.
+    // Sets all heights to 9. Texels that keep the 9 were not redrawn.
     layer.heights.data.fill(9)
     layer.draw([...others, own])
     expect(layer.heights.data.filter((value) => value === 9).length).toBeGreaterThan(200 * 200)
   })
 
-  it('searches the lines around a bent one only once', () => {
+  it('searches the lines around a stroke only in the first of several changes of that stroke', () => {
     const layer = new StrokeLayer(canvas)
     const others = [27, 29, 31, 33].map((y) => line([0.3, 0.6], y))
     const bent = (depth: number) => [
@@ -63,14 +64,14 @@ describe('a layer of strokes', () => {
     const searches = (strokes: readonly Stroke[]) => searchesOf(() => layer.draw(strokes))
     layer.draw(bent(1))
     const first = searches(bent(0.8))
-    // First the bent line and all others in each texel, then only the bent line.
+    // The first change searches all lines in each texel. Later changes search only the changed line.
     expect(searches(bent(0.6))).toBe(first / 2)
-    // Others that changed in between are searched again.
+    // After a change of another line, all lines are searched again.
     layer.draw(bent(0.6).slice(1))
     expect(searches([...bent(0.5)].slice(1))).toBe(first)
   })
 
-  it('searches the lines around a new one only once, also when it is bent, removed and drawn again', () => {
+  it('searches the lines around a new stroke only once, also if the stroke is changed, removed and drawn again', () => {
     const layer = new StrokeLayer(canvas)
     const others = [27, 29, 31, 33].map((y) => line([0.3, 0.6], y))
     const own = line([0.3, 0.5], 30)
@@ -98,11 +99,11 @@ describe('a layer of strokes', () => {
       return layer
     }
 
-    it('has searched the lines around it before it is first bent', () => {
+    it('searches for the neighbours of a line in `prepare`, not at the first change of the line', () => {
       const [layer, plain] = [layerOf(others), layerOf(others)]
       const found = searchesOf(() => [...layer.prepare(others[2])])
       const first = draw(plain, bent(2))
-      // Only texels within the line's reach are searched.
+      // The preparation searches only texels within the reach of the line.
       expect(found).toBe(first / 2)
       expect(draw(layer, bent(2))).toBe(first / 2)
       for (const map of ['heights', 'normal', 'occlusion'] as const) {
@@ -111,7 +112,7 @@ describe('a layer of strokes', () => {
       }
     })
 
-    it('prepares in steps of a tile, and continues if the line is bent between steps', () => {
+    it('prepares one tile of texels per step, and continues if the line is changed between steps', () => {
       const layer = layerOf(others)
       const steps = layer.prepare(others[2])
       const first = [1, 2, 3].map(() => searchesOf(() => steps.next()))
@@ -135,6 +136,28 @@ describe('a layer of strokes', () => {
       expect(again.next().done).toBe(true)
       expect(layer.prepare(others[4]).next().done).toBe(true)
     })
+  })
+
+  it('redraws the onset of a whole group when its deepest line changes, and otherwise only around changed lines', () => {
+    const layer = new StrokeLayer(canvas, { onset: true })
+    const named = (own: Stroke, group: string): Stroke => ({ ...own, group })
+    const apart = [5, 30, 55].map((y) => named(line([0.3, 0.5], y), 'brow'))
+    const other = named(line([0.3, 0.5], 42), 'chin')
+    const sameAsRedrawn = (strokes: readonly Stroke[]) => {
+      const changed = layer.draw(strokes)
+      expect(Buffer.from(layer.onset!.data).equals(strokesToOnset(strokes, canvas).data)).toBe(true)
+      return changed
+    }
+    sameAsRedrawn([...apart, other])
+    const rows = (changed: ReturnType<typeof layer.draw>) =>
+      Math.max(...changed.map(({ y1 }) => y1)) - Math.min(...changed.map(({ y0 }) => y0))
+    const deeper = apart.with(1, { ...apart[1], depth: 2 })
+    expect(rows(sameAsRedrawn([...deeper, other]))).toBeGreaterThan(150)
+    const bent = deeper.with(0, named(line([0.3, 0.55], 6), 'brow'))
+    expect(rows(sameAsRedrawn([...bent, other]))).toBeLessThan(80)
+    sameAsRedrawn(bent.toSpliced(1, 1))
+    sameAsRedrawn([])
+    expect(layer.onset!.data.every((byte) => byte === 0)).toBe(true)
   })
 
   it('refuses a base of another size', () => {

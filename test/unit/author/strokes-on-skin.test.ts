@@ -24,7 +24,7 @@ describe('a stroke on a cylinder', () => {
     for (let turn = 0.42; turn < 1.58; turn += 0.01) {
       expect(height(data, uvOf(turn, 30))).toBeLessThan(-0.93)
       for (const side of [-1, 1]) {
-        // On the banks, 3 half widths from the middle.
+        // The skin is raised beside the valley, 3 half widths from its middle.
         expect(height(data, uvOf(turn, 30 + 6 * side))).toBeGreaterThan(0.02)
         expect(height(data, uvOf(turn, 30 + 20 * side))).toBe(0)
       }
@@ -37,7 +37,7 @@ describe('a stroke on a cylinder', () => {
     expect(others).toEqual([])
     for (let i = 0; i < line.points.length; i += 3) {
       const [x, y, z] = line.points.subarray(i, i + 3)
-      // The facets are 0.01 mm below the cylinder.
+      // The triangles are up to 0.01 mm inside the cylinder.
       expect(Math.abs(Math.hypot(x, z) - RADIUS)).toBeLessThan(0.02)
       expect(y).toBeCloseTo(30, 1)
       const [nx, ny, nz] = line.normals.subarray(i, i + 3)
@@ -53,9 +53,9 @@ describe('a stroke on a cylinder', () => {
     expect(length).toBeLessThan(1.2 * Math.PI * RADIUS + 0.6)
   })
 
-  it('has left and right as seen from outside, however the texture is turned', () => {
+  it('has its left and right as seen from outside, for any rotation of the UV island', () => {
     const { data } = strokesToHeight(strokesOf({ ...ring, shoulder: [1, 0] }), canvas)
-    // From -x over the front to the right, so its left is up.
+    // Seen from outside, the stroke runs to the right, so its left is up.
     for (const turn of [0.6, 0.9, 1.2, 1.5]) {
       expect(height(data, uvOf(turn, 36))).toBeGreaterThan(0.02)
       expect(height(data, uvOf(turn, 26))).toBeLessThan(-0.02)
@@ -81,7 +81,7 @@ describe('a stroke on a cylinder', () => {
     expect(height(data, [0.7, 0.5])).toBeLessThan(-0.9)
   })
 
-  it('is not drawn if it is completely off the skin', () => {
+  it('is not drawn if no part of it is on the skin', () => {
     for (const curve of ['polyline', 'spline']) {
       const points = [
         [0.01, 0.01],
@@ -115,7 +115,7 @@ it('is drawn on the left half if both halves share texels', () => {
   for (let column = 60; column < 200; column++) expect(data[128 * 256 + column]).toBeLessThan(-0.8)
 })
 
-it('does not hang on a mesh of any size', () => {
+it('finishes with finite heights on a mesh of any size', () => {
   for (const scale of [1e-6, 1, 1e6]) {
     const mesh = cylinder()
     const canvas = skinCanvas(mesh, 64, 64, 1000 * scale)

@@ -10,7 +10,7 @@ const page = readFileSync('docs/strokes-format.md', 'utf8')
 const schema = JSON.parse(readFileSync('docs/schema/strokes.schema.json', 'utf8'))
 const validate = new Ajv2020().compile(schema)
 
-/** Reads names and defaults from the table below a heading of the page. Tables of two columns have no defaults. */
+/** Reads the fields and their defaults from the table below a heading of the page. A table with two columns has no defaults. */
 function tableOf(heading: string): [name: string, usual: string | undefined][] {
   const [, section] = page.split(`\n### ${heading}\n`)
   const rows = section.split(/\n##/)[0].matchAll(/^\| `(\w+)` +\| (.*?) +\|(?: .*\|)?$/gm)
@@ -53,7 +53,7 @@ describe('the schema of strokes documents', () => {
   it('accepts everything that the parser accepts, and refuses most of what the parser refuses', () => {
     const { accepted, missed } = compareWithParser(STROKES, validate, parseStrokes, 6)
     expect(accepted).toBeGreaterThan(MUTATED / 100)
-    // A schema cannot check groups, file names and the number of points of Bezier curves.
+    // The schema accepts some invalid documents, because it cannot check groups, file names and the number of points of Bezier curves.
     expect(missed).toBeLessThan(0.25)
   })
 })

@@ -65,7 +65,7 @@ describe('parseStrokes', () => {
   it.each<[unknown, string]>([
     [
       [],
-      'the document must be an object, got []; write { ... } with version, scale, size, strokes, furrows, areas',
+      'the document must be an object, got []; write { ... } with version, scale, size, seed, strokes, furrows, areas',
     ],
     [undefined, 'the document must be an object, got nothing'],
     [{}, 'unknown version, got nothing, allowed: 1; write "version": 1'],
@@ -89,11 +89,11 @@ describe('parseStrokes', () => {
     ],
     [
       document({ ...plain, depth: undefined }),
-      'strokes[0].depth must be a number, got nothing, allowed: 0..10 mm; write a plain number',
+      'strokes[0].depth must be a number, got nothing, allowed: -10..10 mm; write a plain number',
     ],
     [
       document({ ...plain, depth: Number.POSITIVE_INFINITY }),
-      'strokes[0].depth must be a number, got Infinity, allowed: 0..10 mm; write a plain number',
+      'strokes[0].depth must be a number, got Infinity, allowed: -10..10 mm; write a plain number',
     ],
     [
       document({ ...plain, taper: [0, 0, 0] }),
@@ -205,7 +205,7 @@ describe('parseStrokes', () => {
       }
     }
     fc.assert(fc.property(fc.jsonValue(), only))
-    // Documents valid except for one field, to reach every reader.
+    // Makes documents that are valid except for one field, to test the reader of every field.
     const fields = [
       'group',
       'layer',

@@ -7,7 +7,7 @@ const DATA = {
   nested: [{ floats: Float32Array.of(0.5, -1) }, { doubles: new Float64Array(3), curve: [[0.1, 1]] }],
 }
 
-/** Fake of the used parts of Cache Storage. */
+/** Fake of Cache Storage with the methods that Furrow uses. */
 class FakeCache {
   readonly entries = new Map<string, ArrayBuffer>()
   async match(url: string) {
@@ -42,21 +42,21 @@ afterEach(() => {
 })
 
 describe('a cached result', () => {
-  it('is found under its key only', async () => {
+  it('is found only under its key', async () => {
     await keep('v1', 'a', DATA, () => {})
     expect(await recall('v1', 'a')).toEqual(DATA)
     expect(await recall('v1', 'b')).toBeUndefined()
     expect(await recall('v2', 'a')).toBeUndefined()
   })
 
-  it('may be transferred after it was copied', async () => {
+  it('is a copy, so the caller may transfer the original', async () => {
     const data = structuredClone(DATA)
     await keep('v1', 'a', data, () => structuredClone(data.bytes, { transfer: [data.bytes.buffer] }))
     expect(data.bytes.length).toBe(0)
     expect(await recall('v1', 'a')).toEqual(DATA)
   })
 
-  it('belongs to one version, and at most 32 are kept', async () => {
+  it('is dropped by another version, and when 32 newer ones are stored', async () => {
     stored.set('of-the-page', new FakeCache())
     await keep('v1', 'a', DATA, () => {})
     for (let i = 0; i < 40; i++) await keep('v2', String(i), DATA, () => {})

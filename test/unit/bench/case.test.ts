@@ -3,12 +3,13 @@ import { activationOf, listCases } from '../../../bench/case.ts'
 import { divideAreas } from '../../../bench/page/areas.ts'
 
 describe('bench cases', () => {
-  it('are 2 to 256 areas, all active and 8 of 256, still and moving, 1 and 4 layers', () => {
+  it('include 2 to 256 areas, all or 8 of 256 active, still and moving, with 1 and 4 layers', () => {
     const cases = listCases(false)
-    expect(new Set(cases.map((benchCase) => JSON.stringify(benchCase))).size).toBe(26)
+    expect(new Set(cases.map((benchCase) => JSON.stringify(benchCase))).size).toBe(28)
     expect(cases).toContainEqual({ areas: 256, active: 8, layers: 4, maps: 'normals', still: true })
     expect(cases).toContainEqual({ areas: 16, active: 16, layers: 1, maps: 'normals', still: false })
     expect(cases).toContainEqual({ areas: 8, active: 8, layers: 1, maps: 'all', still: true })
+    expect(cases).toContainEqual({ areas: 8, active: 8, layers: 1, maps: 'onset', still: false })
   })
 
   it.each(listCases(false))(
@@ -27,11 +28,11 @@ describe('bench cases', () => {
 })
 
 describe('bench areas', () => {
-  /** Bar of eight columns, and a dot. */
+  /** Two areas: a bar of eight columns, and a single texel. */
   const bar = { width: 16, height: 2, data: new Uint8Array(32).fill(200, 4, 12) }
   const dot = { width: 16, height: 2, data: new Uint8Array(32).fill(255, 20, 21) }
 
-  it("are the face's first ones if few are requested", () => {
+  it('are the first areas of the face if fewer are requested', () => {
     const [first, ...others] = divideAreas([bar, dot], 1, ['a'])
     expect(others).toEqual([])
     expect(first).toEqual({ name: 'area0', layer: 'a', weights: bar })

@@ -3,7 +3,7 @@ import { promisify } from 'node:util'
 import { DRIVER_TYPES } from 'furrow/internal'
 import { expect, it } from 'vitest'
 
-/** Runs in a separate process like the benchmark, because a test process compiles and optimises code differently. */
+/** Script for a separate process, as in the benchmark: the process of a test compiles and optimises code differently. */
 const SCRIPT = `
   import { measureCpu, OTHER_DRIVERS } from './bench/cpu.mjs'
   const median = (values) => values.toSorted((a, b) => a - b)[values.length >> 1]
@@ -12,8 +12,8 @@ const SCRIPT = `
   console.log(JSON.stringify({ measured, types: Object.keys(OTHER_DRIVERS) }))
 `
 
-// A busy machine sometimes optimises late. Code that allocates per frame does so every time.
-it('drivers allocate nothing per frame, except the number that the default clock returns', {
+// Retries, because a busy machine may optimise the code late. Code that allocates in each frame fails every time.
+it('drivers allocate nothing per frame, except for the number that the default clock returns', {
   retry: 2,
 }, async () => {
   const args = ['--input-type=module', '-e', SCRIPT]

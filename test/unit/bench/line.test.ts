@@ -26,7 +26,7 @@ function resultOf(changes: Partial<Result>): Result {
   }
 }
 
-/** Returns cells by column title. */
+/** Returns the cells of a table row by column title. */
 function read(line: string): Record<string, string> {
   const [titles, , cells] = [...LINE_HEADING.split('\n'), line].map((row) =>
     row
@@ -61,7 +61,7 @@ it('has a value per renderer, moving and still', () => {
   })
 })
 
-it('covers 8 areas and one layer, whatever else a run contains', () => {
+it('contains only results with 8 areas and one layer', () => {
   const others = [{ areas: 16, active: 16 }, { layers: 4 }, { areas: 256 }]
   const results = [...others, {}].map((changes, i) =>
     resultOf({ variant: 'furrow', ratioToPlain: 1 + i, ...changes }),
@@ -69,17 +69,17 @@ it('covers 8 areas and one layer, whatever else a run contains', () => {
   expect(read(toLine(results, machine)).furrow).toBe('4.000, -; -, -')
 })
 
-it('stays one row for any adapter name', () => {
+it('is one row, whatever characters the name of the adapter has', () => {
   const line = toLine([resultOf({ adapter: 'a | b\n  c' })], machine)
   expect(line).not.toContain('\n')
   expect(read(line).adapter).toBe('a \\| b c')
 })
 
-it('has the variants that it needs', () => {
+it('uses the expected variants', () => {
   expect([...LINE_VARIANTS].sort().join(' ')).toBe('furrow jimenez o3de plain stripped')
 })
 
-it('is a row of the table of machines', () => {
+it('has the format of the rows in bench/machines.md', () => {
   const text = readFileSync(new URL('../../../bench/machines.md', import.meta.url), 'utf8')
   const [, rows] = text.split(`${LINE_HEADING}\n`)
   for (const row of rows.trim().split('\n'))

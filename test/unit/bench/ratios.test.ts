@@ -4,7 +4,7 @@ import { readFigures, warnings } from '../../../bench/ratios.mjs'
 describe('the guard of the frame', () => {
   const name = 'webgl, composed, moving'
 
-  it('warns with old and new ratio if a ratio to the plain face grew by more than 0.05', () => {
+  it('warns, with the old and new value, if a ratio to the face without wrinkles grew by more than 0.05', () => {
     expect(warnings({ [name]: 1.251 }, { [name]: 1.2 })).toEqual([
       expect.stringContaining('webgl, composed, moving has grown from 1.20 to 1.25 of the plain face'),
     ])
@@ -16,7 +16,7 @@ describe('the guard of the frame', () => {
     expect(warnings({ new: 9 }, {})).toEqual([])
   })
 
-  it('watches figures of both renderers and all modes', () => {
+  it('compares the figures of both renderers and all modes', () => {
     const names = Object.keys(readFigures())
     for (const renderer of ['webgl', 'webgpu']) {
       for (const variant of ['furrow', 'composed']) {

@@ -30,7 +30,7 @@ describe('bench results', () => {
     expect(results[0].ratioToPlain).toBe(1)
   })
 
-  it("have no ratio to the paper if the paper's material cannot show the case", () => {
+  it("have no ratio to the paper's material if it cannot draw the case", () => {
     const [plain, , furrow] = measured
     expect(toResults(benchCase, setup, [plain, furrow]).map(({ ratioToPaper }) => ratioToPaper)).toEqual([
       null,
@@ -38,7 +38,7 @@ describe('bench results', () => {
     ])
   })
 
-  it('require the plain face', () => {
+  it('require a measurement of the face without wrinkles', () => {
     expect(() => toResults(benchCase, setup, measured.slice(1))).toThrow('"plain" was not measured')
   })
 })

@@ -1,7 +1,7 @@
 import { expect, it } from 'vitest'
 import { type Result, toTable } from '../../../bench/studio/table.ts'
 
-it('has a row per figure, with the goal named by its prefix', () => {
+it('has a row per figure, with the goal that belongs to the start of its name', () => {
   const rows: Result[] = [
     {
       figure: 'stroke to heights: 500 lines',

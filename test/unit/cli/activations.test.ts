@@ -5,10 +5,10 @@ const human = 'faces/human.glb'
 const shop = bench('activations')
 
 describe('furrow activations', () => {
-  it("prints each area's activation, followed by its contributions", async () => {
+  it('prints the activation of each area, and what contributes to it', async () => {
     await shop.run(human, '--set', 'mouthSmileLeft=1', 'cheekSquintLeft=0.5')
     const lines = shop.printed.split('\n')
-    // 0.8 x 0.5 + 0.3 x 1 = 0.7, on the curve from (0.25, 0) to (0.9, 1).
+    // The links add up to 0.8 * 0.5 + 0.3 * 1 = 0.7. The curve runs from (0.25, 0) to (0.9, 1).
     const at = lines.indexOf('0.692  crowsFeetLeft')
     expect(at).toBeGreaterThanOrEqual(0)
     expect(lines[at + 1]).toMatch(
@@ -20,14 +20,14 @@ describe('furrow activations', () => {
     expect(lines).toContain('1.000  nasolabialLeft')
   })
 
-  it('prints the same as JSON, for an expression with blendshapes on top', async () => {
+  it('prints activations as JSON, for an expression and further blendshapes', async () => {
     await shop.run(human, '--expression', 'angry', '--set', 'noseSneer_L=0', '--json')
     const { file, areas } = JSON.parse(shop.printed)
     expect(file).toBe(human)
     const of = (name: string) => areas.find(({ area }: { area: string }) => area === name)
-    // Both brows down: 1, beyond the curve's end at 0.9.
+    // The links of both brows add up to 1, beyond the end of the curve at 0.9.
     expect(of('glabella').activation).toBe(1)
-    // 0.5 x 0.35 of the right side only, on the curve from (0.05, 0) to (0.8, 1).
+    // Only the right link has a value, 0.5 * 0.35. The curve runs from (0.05, 0) to (0.8, 1).
     expect(of('nose').activation).toBeCloseTo((0.175 - 0.05) / 0.75, 6)
     expect(of('nose').parts[0].links).toContainEqual({
       link: { name: 'noseSneerRight', weight: 0.5 },

@@ -19,7 +19,7 @@ const { file, run } = at
 
 const [WIDE, HIGH] = [24, 16]
 
-/** Makes smooth colours that differ per layer and compress well. */
+/** Returns pixels of smooth colours, which compress well. Each layer has other colours. */
 function paint(layer: number, channels: 1 | 3 | 4): Uint8Array {
   const random = seeded(layer)
   const [a, b, c] = [random(), random(), random()]
@@ -44,7 +44,7 @@ async function pixels(path: string) {
 
 const open = (name: string) => read(new Uint8Array(readFileSync(file(name))))
 
-/** Loads a file with three.js as on a GPU without compressed textures. */
+/** Loads a KTX 2 file with three.js, as for a GPU that supports no compressed textures. */
 async function load(name: string) {
   const loader = new KTX2Loader() as unknown as {
     workerConfig: object
@@ -77,7 +77,7 @@ interface ThreeTranscoder {
   }
 }
 
-/** Loads the WebAssembly transcoder that KTX2Loader runs in workers, which Node lacks. */
+/** Loads the WebAssembly transcoder of KTX2Loader, which in browsers runs in web workers. */
 async function transcoder(): Promise<ThreeTranscoder> {
   const folder = new URL('../../../node_modules/three/examples/jsm/libs/basis/', import.meta.url)
   const script = readFileSync(new URL('basis_transcoder.js', folder), 'utf8')
@@ -111,7 +111,7 @@ describe('furrow array', () => {
     }
   })
 
-  it('returns colours, transparency and gray images among them, and keeps their kind', async () => {
+  it('extracts colour, transparent and gray images from one array, each of its kind', async () => {
     await run(...colour, '-o', file('colour.ktx2'), '--srgb', '--json')
     expect(JSON.parse(at.printed)).toMatchObject({
       layers: ['skin', 'veil', 'brow 0'],
@@ -130,7 +130,7 @@ describe('furrow array', () => {
     expect(await pixels(file('colour/veil.png'))).toEqual({ data: paint(4, 4), channels: 4 })
     const { data } = await pixels(file('colour/brow 0.png'))
     expect(data.filter((_, i) => i % 3 === 1)).toEqual(paint(0, 1))
-    // Packing the output again gives the same file.
+    // An array made of the extracted images is the same file.
     const again = ['skin', 'veil', 'brow 0'].map((name) => file(`colour/${name}.png`))
     await run(...again, '-o', file('again.ktx2'), '--srgb')
     expect(readFileSync(file('again.ktx2')).equals(readFileSync(file('colour.ktx2')))).toBe(true)

@@ -5,7 +5,7 @@ import { MeshoptEncoder } from 'meshoptimizer/encoder'
 import { Matrix3, Vector2 } from 'three'
 import { mapAttribute, meshOf, targetNamesOf } from './auto-variants.ts'
 
-/** Ways to store the shipped face that change neither its shape nor its position: those of docs/auto-formats.md. */
+/** Functions that store the shipped face in another way, without changing its shape or position. docs/auto-formats.md lists them. */
 export const FORMATS = {
   'named with _L and _R, behind a prefix': prefix,
   'with visemes and shapes of its own': addShapes,
@@ -23,7 +23,6 @@ export const FORMATS = {
   'without a normal map, with coordinates that only the base colour dequantises': quantiseCoordinates,
 } as const satisfies Record<string, (document: Document) => unknown>
 
-/** Returns the skin of the shipped face. */
 export function skinOf(document: Document): Mesh {
   return meshOf(document, 'skin')
 }
@@ -33,22 +32,22 @@ export function withTargets(primitives: readonly Primitive[]) {
   return primitives.flatMap((one) => [one, ...one.listTargets()])
 }
 
-/** Renames the targets of a mesh. */
+/** Renames the blendshapes of a mesh. */
 export function rename(mesh: Mesh, change: (name: string) => string): void {
   mesh.setExtras({ ...mesh.getExtras(), targetNames: targetNamesOf(mesh).map(change) })
 }
 
-/** Names targets like many exporters. */
+/** Renames blendshapes as many exporters do: with a prefix, `_L` and `_R`. */
 function prefix(document: Document): void {
   rename(skinOf(document), (name) => `head.${name.replace(/Left$/, '_L').replace(/Right$/, '_R')}`)
 }
 
-/** Stores targets densely instead of sparsely. */
+/** Stores blendshapes in dense instead of sparse accessors. */
 function dense(document: Document): void {
   for (const accessor of document.getRoot().listAccessors()) accessor.setSparse(false)
 }
 
-/** Adds visemes as sums of other targets, shapes with meaningless names, and one that moves nothing. */
+/** Adds visemes (sums of other blendshapes), a blendshape with a meaningless name, and one that moves nothing. */
 function addShapes(document: Document): void {
   const mesh = skinOf(document)
   const names = targetNamesOf(mesh)
@@ -78,7 +77,7 @@ function addShapes(document: Document): void {
   mesh.setWeights([])
 }
 
-/** Changes coordinates so that the normal map's transform, computed by three.js's matrix, restores them. */
+/** Gives the normal map a texture transform, and changes the texture coordinates so that the transform restores the old ones. */
 export function transformCoordinates(document: Document): void {
   const [scale, rotation, offset] = [2, 0.7, [0.3, -0.6]] as const
   const mesh = skinOf(document)
@@ -95,7 +94,7 @@ export function transformCoordinates(document: Document): void {
   )
 }
 
-/** Stores texture coordinates like gltfpack: 12 bits, scaled by each map's transform. The skin has no normal map. */
+/** Stores texture coordinates as 12-bit integers, as gltfpack does. Only the base colour has a transform that scales them back. */
 export function quantiseCoordinates(document: Document): void {
   const [primitive] = skinOf(document).listPrimitives()
   const material = primitive!.getMaterial()!.setNormalTexture(null)
@@ -123,7 +122,7 @@ function split(document: Document): void {
   mesh.addPrimitive(second)
 }
 
-/** Converts to centimetres, turned and moved, which the node compensates. */
+/** Converts the skin to centimetres, rotates and moves it. The transform of its node compensates this. */
 function placeByNode(document: Document): void {
   const mesh = skinOf(document)
   const node = nodeOf(mesh)
@@ -139,7 +138,7 @@ function placeByNode(document: Document): void {
     .setTranslation([-0.07, 0.2, 0])
 }
 
-/** Converts to centimetres, skinned to one joint whose inverse bind matrix compensates. The node is moved, which must have no effect. */
+/** Converts the skin to centimetres. The inverse bind matrix of its only joint compensates this. Moving the node has no effect. */
 export function placeBySkeleton(document: Document): void {
   const mesh = skinOf(document)
   const node = nodeOf(mesh)

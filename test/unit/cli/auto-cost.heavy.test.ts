@@ -53,12 +53,12 @@ test('the cost of wrinkles, ways to reduce it, and tools that drop wrinkles are 
 test('the cost of compressed wrinkles on a phone is printed too', async () => {
   await at.run(await write('plain.glb'), '-o', file('out.glb'), '--size', '512', '--ktx2', '--force')
   const [, desktop, phone] = /([\d.]+) kB on the GPU \(([\d.]+) kB on a phone, as ASTC\)/.exec(at.printed)!
-  // Maps take twice as much. Areas and the influence map take the same.
+  // Maps take twice the memory on phones; areas and the influence map take the same.
   expect(Number(phone)).toBeGreaterThan(1.5 * Number(desktop))
   expect(Number(phone)).toBeLessThan(2 * Number(desktop))
 })
 
-test('maps too large to compress are refused before the work', async () => {
+test('maps that are too large to compress are refused before the wrinkles are made', async () => {
   await fails('too many texels', 'never-read.glb', '-o', file('x.glb'), '--ktx2', '--size', '4096')
 })
 
@@ -68,7 +68,7 @@ test.each<[string, (json: Json) => void, string]>([
     ({ materials }) => {
       materials[0]!.extensions = { VRMC_materials_mtoon: {}, KHR_materials_unlit: {} }
     },
-    'is MToon: wrinkles are drawn as lines',
+    'is MToon: pages that register three-vrm draw wrinkles as lines',
   ],
   [
     'MToon of VRM 0',
@@ -76,7 +76,7 @@ test.each<[string, (json: Json) => void, string]>([
       unlit(json.materials[0]!)
       json.extensions = { VRM: { materialProperties: [{ shader: 'VRM/MToon' }] } }
     },
-    'is MToon: wrinkles are drawn as lines',
+    'is MToon: pages that register three-vrm draw wrinkles as lines',
   ],
 ])('a warning names a material that is %s', async (_, edit, warning) => {
   await at.run(await write('odd.glb', edit as never), '-o', file('out.glb'), '--size', '512', '--force')
@@ -93,7 +93,7 @@ test('a mesh without normals gets some, and validate accepts the result', async 
   expect(process.exitCode).toBeFalsy()
 })
 
-test('an unlit material is refused before the work', async () => {
+test('an unlit material is refused before the wrinkles are made', async () => {
   const message = 'the material "cloth" cannot show wrinkles: it is unlit (KHR_materials_unlit)'
   const face = await write('unlit.glb', (({ materials }: Json) => unlit(materials[0]!)) as never)
   await fails(message, face, '-o', file('unlit-out.glb'), '--size', '512')

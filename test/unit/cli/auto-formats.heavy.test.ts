@@ -26,16 +26,16 @@ import { Workshop } from './workshop.ts'
 const workshop = new Workshop()
 const face = plainWrinkles(workshop)
 
-/** Tolerance against the plain face: gray levels of the areas, degrees of the normals. */
+/** Tolerance of a comparison with the unchanged face: area weights in levels of 255, normals in degrees. */
 interface Tolerance {
   levels: number
   degrees: number
 }
 
-/** Tolerance of activations against the plain face. */
+/** Tolerance of activations, in comparison with the unchanged face. */
 const ACTIVATIONS = 0.05
 
-/** Texels at the border of lines differ if coordinates are rounded. */
+/** Tolerances if coordinates are rounded, which changes texels at the border of wrinkle lines. */
 const ROUNDED = { levels: 1, degrees: 1 }
 const QUANTISED = { levels: 5, degrees: 4 }
 
@@ -48,7 +48,7 @@ const TOLERANCES: Partial<Record<keyof typeof FORMATS, Tolerance>> = {
   'without a normal map, with coordinates that only the base colour dequantises': QUANTISED,
 }
 
-/** Variants of the same face, whose wrinkles must be equal. */
+/** Variants of the shipped face, which must all get the same wrinkles. */
 const VARIANTS = Object.entries({
   ...FORMATS,
   'facing backwards': (document: Document) =>
@@ -60,7 +60,7 @@ const VARIANTS = Object.entries({
 describe.each(VARIANTS)('a face %s', (name, change) => {
   const { levels, degrees } = TOLERANCES[name as keyof typeof FORMATS] ?? { levels: 0.1, degrees: 0.2 }
 
-  test('gets the same wrinkles as the plain one, in a valid file', async () => {
+  test('gets the same wrinkles as the unchanged face, in a valid file', async () => {
     const document = await plainFace()
     await change(document)
     const made = await makeWrinkles(workshop, name, document)
@@ -102,7 +102,7 @@ describe("a face like VRoid Studio's", () => {
     made = await makeWrinkles(workshop, 'vroid', document)
   })
 
-  test('is recognised by its own shapes, which are named', () => {
+  test('is recognised by its shapes, and the drivers name them', () => {
     expect(made.warned).toContain('Fcl_BRW_Surprised, Fcl_BRW_Angry, Fcl_EYE_Joy_L, Fcl_EYE_Joy_R')
     expect(made.warned).toContain("stand in for ARKit's shapes")
     const names = [...made.areas.keys()]
@@ -117,7 +117,7 @@ describe("a face like VRoid Studio's", () => {
       expect(names).toEqual(expect.arrayContaining([`${region}Left`, `${region}Right`]))
   })
 
-  test('has its left on its left, although it faces backwards', () => {
+  test('has left and right on the correct sides, although it faces backwards', () => {
     for (const region of ['foreheadInner', 'foreheadOuter', 'glabella', 'crowsFeet', 'nasolabial'])
       for (const [side, other] of [
         ['Left', 'Right'],
@@ -154,7 +154,7 @@ test.each(BARE_FACES)("$name has the same wrinkles as under ARKit's names", asyn
   expect(areasApart(bare, made)).toBe(0)
 })
 
-/** Returns the part of an area's weight that another area shares. */
+/** Returns the fraction of an area's weight that another area covers too. */
 function sharedBy(area: Uint8Array, other: Uint8Array): number {
   let [common, all] = [0, 0]
   for (let i = 0; i < area.length; i++) {
@@ -164,7 +164,7 @@ function sharedBy(area: Uint8Array, other: Uint8Array): number {
   return common / all
 }
 
-/** Returns positions and indices of all primitives. */
+/** Returns positions and indices of all primitives, as text. */
 function shapesOf(document: Document): string[] {
   return document
     .getRoot()

@@ -24,7 +24,7 @@ test('400,000 triangles are processed', async () => {
 })
 
 describe('the shipped face', () => {
-  test('has its wrinkles replaced, and --areas keeps those with the most compression', async () => {
+  test('gets new wrinkles, and --areas keeps the areas with the most compression', async () => {
     await fails('the material already has wrinkles', FACE, '-o', file('x.glb'))
     await run(FACE, '-o', file('all.glb'), '--replace', '--json')
     const all = JSON.parse(at.printed)
@@ -37,7 +37,7 @@ describe('the shipped face', () => {
     expect(compressions(few)).toEqual(compressions(all).slice(-5))
   })
 
-  test('creases only in the named regions', async () => {
+  test('gets wrinkles only in the named regions', async () => {
     await run(FACE, '-o', file('some.glb'), '--replace', '--regions', 'upperLip', 'crowsFeet')
     const names = areasOf(file('some.glb')).map(({ name }) => name)
     expect(names).toEqual(['crowsFeetLeft', 'crowsFeetRight', 'upperLip', 'paleLips'])

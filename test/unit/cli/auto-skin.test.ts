@@ -34,7 +34,7 @@ describe('the chosen skin', () => {
   ] as const)('is that of %s', async (_, read, mesh, material) => {
     const found = findSkin(await read(), 'face.glb', 'test')
     expect([found.meshName, found.materialName]).toEqual([mesh, material])
-    expect(found.reason).toMatch(/^\d+% of what brows, lids and mouth move$/)
+    expect(found.reason).toMatch(/^\d+% of the motion of brows, lids and mouth$/)
     expect(Number.parseInt(found.reason, 10)).toBeGreaterThan(50)
   })
 
@@ -60,41 +60,41 @@ describe('the skin of a face with unknown shape names', () => {
     }
     return document
   }
-  /** Without the shapes that identify a face by motion. */
+  /** Returns the face with meaningless names, and without the shapes by whose motion a face is recognised. */
   const unrecognised = () => unnamed((name) => /^(jaw|mouth(Funnel|Pucker))/.test(name))
   const find = (document: Document) => {
     const { meshName, reason } = findSkin(document, 'face.glb', 'test')
-    return [meshName, reason.replace(/^\d+% of what /, '')]
+    return [meshName, reason.replace(/^\d+% of the motion of /, '')]
   }
 
-  test('is the mesh moved by brows, lids and mouth', async () => {
+  test('is the mesh that shapes of brows, lids and mouth move', async () => {
     const document = await unnamed()
     lendShapes(document, 'shirt', 'shape 99', 0.1)
-    expect(find(document)).toEqual(['skin', 'brows, lids and mouth move'])
+    expect(find(document)).toEqual(['skin', 'brows, lids and mouth'])
   })
 
   test('is not clothes, even if body sliders move them most', async () => {
     const document = await unrecognised()
     for (const name of ['Fat', 'male', 'female']) lendShapes(document, 'shirt', name, 0.1)
-    expect(find(document)).toEqual(['skin', 'the blendshapes move'])
+    expect(find(document)).toEqual(['skin', 'all meshes by blendshapes'])
   })
 
-  test("is the mesh on the skeleton's head, whatever moves more", async () => {
+  test('is the mesh on the head joint, even if another mesh moves more', async () => {
     const document = await unrecognised()
     lendShapes(document, 'shirt', 'shape 99', 0.1)
     skinTo(document, 'skin', 'mixamorig:Head')
     skinTo(document, 'shirt', 'mixamorig:Hips')
-    expect(find(document)).toEqual(['skin', 'the blendshapes of the head move'])
+    expect(find(document)).toEqual(['skin', 'the head by blendshapes'])
   })
 
-  test('is no mesh whose name or material says clothes', async () => {
+  test('is never a mesh whose name or material means clothes', async () => {
     const document = await unrecognised()
     lendShapes(document, 'shirt', 'shape 99', 0.012)
-    expect(find(document)).toEqual(['skin', 'the blendshapes move'])
+    expect(find(document)).toEqual(['skin', 'all meshes by blendshapes'])
   })
 })
 
-/** Makes a joint with this name move a mesh. */
+/** Skins a mesh to a joint with this name. */
 function skinTo(document: Document, name: string, joint: string): void {
   const mesh = meshOf(document, name)
   const node = document
@@ -113,7 +113,7 @@ function skinTo(document: Document, name: string, joint: string): void {
   }
 }
 
-/** Gives a mesh one or all shapes of the skin. Each moves the mesh by `distance`, metres. */
+/** Gives a mesh blendshapes with the names of one or all shapes of the skin. Each moves the complete mesh by `distance`, metres. */
 function lendShapes(document: Document, name: string, only?: string, distance = 0.0005): void {
   const mesh = meshOf(document, name)
   const names = only ? [only] : targetNamesOf(skinOf(document))

@@ -18,29 +18,40 @@ test.each([
   expect(readFileSync(`${folder}/strokes.json`)).toEqual(readFileSync(lines))
 })
 
-test('furrow strokes draws the same maps from them, byte for byte', async () => {
+/** Returns path and bytes of each map of a folder's layers. */
+const mapsIn = (folder: string) =>
+  readdirSync(`${folder}/layers`, { recursive: true, encoding: 'utf8' })
+    .filter((name) => name.endsWith('.png'))
+    .sort()
+    .map((name) => [name, readFileSync(`${folder}/layers/${name}`, 'base64')] as const)
+
+test('maps survive strokes, pack and unpack byte for byte', async () => {
   const [out, folder] = [file('human.glb'), file('human')]
   await at.run('faces/human.glb', '-o', out, '--replace', '--size', '512', '--layers', '2')
   await at.shop.run('unpack', out, '-o', folder)
-  const maps = () => {
-    const names = readdirSync(`${folder}/layers`, { recursive: true, encoding: 'utf8' }).sort()
-    return names.flatMap((name) =>
-      name.endsWith('.png') ? [[name, readFileSync(`${folder}/layers/${name}`)]] : [],
-    )
-  }
-  const made = maps()
-  expect(made).toHaveLength(8)
+  const made = mapsIn(folder)
+  expect(made).toHaveLength(10)
   const args = [`${folder}/strokes.json`, '--face', `${folder}/face.glb`, '--into', folder]
   await at.shop.run('strokes', ...args)
-  for (const [i, [name, bytes]] of maps().entries()) {
-    expect(name).toBe(made[i][0])
-    expect((bytes as Buffer).equals(made[i][1] as Buffer), name as string).toBe(true)
-  }
+  expectSame(mapsIn(folder), made)
+
+  const [packed, again, twice] = [file('packed.glb'), file('again'), file('twice.glb')]
+  await at.shop.run('pack', folder, '-o', packed)
+  await at.shop.run('unpack', packed, '-o', again)
+  expectSame(mapsIn(again), made)
+  await at.shop.run('pack', again, '-o', twice)
+  expect(readFileSync(twice).equals(readFileSync(packed))).toBe(true)
 })
 
-test('strokes are valid on a skin in another texture tile that exceeds the tile', async () => {
+/** Compares maps one by one, because a difference of long strings is unreadable. */
+function expectSame(maps: ReturnType<typeof mapsIn>, made: ReturnType<typeof mapsIn>): void {
+  expect(maps.map(([name]) => name)).toEqual(made.map(([name]) => name))
+  for (const [i, [name, bytes]] of maps.entries()) expect(bytes === made[i][1], name).toBe(true)
+}
+
+test('strokes are valid if the skin is in another UV tile and extends beyond it', async () => {
   await writeSheet(file('tile.glb'), (shape) => {
-    // Up to 1 mm beyond the edges of the tile.
+    // The coordinates exceed the tile by up to 1 mm of skin.
     shape.uvs = shape.uvs!.map((value) => 1 + 1.006 * value - 0.003)
   })
   await at.run(file('tile.glb'), '-o', file('out.glb'), '--size', '512', '--age', '80', '--strength', '2')

@@ -16,14 +16,14 @@ const workshop = new Workshop()
 const face = plainWrinkles(workshop)
 
 describe('a shared texture', () => {
-  test('of left and right gives one area for both, driven by both', async () => {
+  test('of left and right gives one area for both sides, driven by shapes of both sides', async () => {
     const document = await plainFace()
     foldUvs(document)
     const made = await makeWrinkles(workshop, 'mirrored', document)
     expect(made.warned).toContain('left and right use the same texels')
     expect([...made.areas.keys()].filter((name) => /Left$|Right$/.test(name))).toEqual([])
     for (const region of ['foreheadOuter', 'crowsFeet', 'underEye', 'nasolabial', 'mouthCorner']) {
-      // Drawn once, at the plain face's left side.
+      // The area equals that of the left side of the unchanged face.
       expect(levelsApart(face().areas.get(`${region}Left`)!.data, made.areas.get(region)!.data)).toBeLessThan(
         2,
       )
@@ -35,7 +35,7 @@ describe('a shared texture', () => {
     }
   })
 
-  test('of only the limbs keeps separate areas for both sides of the face', async () => {
+  test('of the limbs alone does not join the areas of the face', async () => {
     const document = await plainFace()
     mapAttribute(skinOf(document).listPrimitives(), 'TEXCOORD_0', ([u, v]) => [0.5 * u!, v!])
     addLimbs(document)
@@ -59,7 +59,7 @@ describe('a shared texture', () => {
   })
 })
 
-/** Adds two sheets to the skin, left and right of the body, which share half of the texture. */
+/** Adds two sheets to the skin, left and right of the body. Both use the same half of the texture. */
 function addLimbs(document: Document): void {
   const mesh = skinOf(document)
   const skin = mesh.listPrimitives()[0]!
@@ -87,7 +87,7 @@ function addLimbs(document: Document): void {
   }
 }
 
-/** Shape that creases a region on a side. */
+/** For each region, the ARKit shape that causes its wrinkles, without `Left` or `Right`. */
 const POSE_OF: Readonly<Record<string, string>> = {
   foreheadOuter: 'browOuterUp',
   crowsFeet: 'cheekSquint',

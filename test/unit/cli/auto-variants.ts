@@ -17,7 +17,7 @@ import type { Workshop } from './workshop.ts'
 
 export const HUMAN = fileURLToPath(new URL('../../../faces/human.glb', import.meta.url))
 
-/** Poses by ARKit's names. */
+/** Poses to compare, as weights of ARKit blendshapes. */
 const POSES: readonly Readonly<Record<string, number>>[] = [
   { browInnerUp: 1, browOuterUpLeft: 1, browOuterUpRight: 1 },
   { browDownLeft: 1, browDownRight: 1 },
@@ -31,7 +31,7 @@ const POSES: readonly Readonly<Record<string, number>>[] = [
 
 let io: NodeIO | undefined
 
-/** Returns an IO for all compressed formats. */
+/** Returns an IO of glTF-Transform that supports all compressed formats. */
 export async function anyIO(): Promise<NodeIO> {
   if (io) return io
   await Promise.all([MeshoptDecoder.ready, MeshoptEncoder.ready])
@@ -47,12 +47,11 @@ export async function anyIO(): Promise<NodeIO> {
   return io
 }
 
-/** Reads the shipped face, or another, without its wrinkles. */
+/** Reads the shipped face, or another file, without its wrinkles. */
 export async function plainFace(path = HUMAN): Promise<Document> {
   return (await anyIO()).readBinary(new Uint8Array(readFileSync(path)))
 }
 
-/** Finds a mesh by name. */
 export function meshOf(document: Document, name: string): Mesh {
   return document
     .getRoot()
@@ -64,7 +63,7 @@ export function targetNamesOf(mesh: Mesh): string[] {
   return mesh.getExtras().targetNames as string[]
 }
 
-/** Changes every element of an attribute, in the base or in all targets. */
+/** Changes every element of an attribute of primitives or morph targets. */
 export function mapAttribute(
   primitives: readonly (Primitive | ReturnType<Primitive['listTargets']>[number])[],
   semantic: string,
@@ -81,17 +80,19 @@ export function mapAttribute(
 
 /** File made by `furrow auto`. */
 export interface AutoOutput {
-  /** The file before and after. */
+  /** Path of the input. */
   plain: string
+  /** Path of the output. */
   path: string
   file: WrinkledFile
   areas: ReadonlyMap<string, GrayImage>
-  /** Output of the command. */
+  /** Output of the command on stdout. */
   printed: string
+  /** Output of the command on stderr. */
   warned: string
 }
 
-/** Writes a document, makes its wrinkles, and reads the result. */
+/** Writes a document, runs `furrow auto`, and reads the result. */
 export async function makeWrinkles(
   workshop: Workshop,
   name: string,
@@ -103,7 +104,7 @@ export async function makeWrinkles(
   return wrinklesOf(workshop, plain, ...options)
 }
 
-/** Makes the wrinkles of a file, and reads the result. */
+/** Runs `furrow auto` on a file, and reads the result. */
 export async function wrinklesOf(
   workshop: Workshop,
   plain: string,
@@ -119,7 +120,7 @@ export async function wrinklesOf(
   return { plain, path, file, areas, printed: workshop.printed, warned: workshop.warned }
 }
 
-/** Makes the wrinkles of the plain face before the first test of a file, for comparison. */
+/** Runs `furrow auto` on the shipped face before the first test of a file. Returns a function that returns the result. */
 export function plainWrinkles(workshop: Workshop): () => AutoOutput {
   let made: AutoOutput
   beforeAll(async () => {
@@ -128,7 +129,6 @@ export function plainWrinkles(workshop: Workshop): () => AutoOutput {
   return () => made
 }
 
-/** Returns activations of a pose by area. */
 export function activationsOf(
   { file }: AutoOutput,
   pose: Readonly<Record<string, number>>,
@@ -145,7 +145,7 @@ export function activationsOf(
   )
 }
 
-/** Returns the largest difference of an activation over all poses. */
+/** Returns the largest difference of any activation over all `POSES`. */
 export function activationsApart(a: AutoOutput, b: AutoOutput): number {
   return Math.max(
     ...POSES.flatMap((pose) => {
@@ -155,7 +155,7 @@ export function activationsApart(a: AutoOutput, b: AutoOutput): number {
   )
 }
 
-/** Returns the largest difference of any area's weights, averaged over texels where either face has weight, in levels of 255. */
+/** Returns the largest mean difference of an area's weights, in levels of 255. The mean is over texels where either weight is not 0. */
 export function areasApart(a: AutoOutput, b: AutoOutput, names = [...a.areas.keys()]): number {
   return Math.max(...names.map((name) => levelsApart(a.areas.get(name)!.data, b.areas.get(name)!.data)))
 }
@@ -170,7 +170,7 @@ export function levelsApart(first: ArrayLike<number>, second: ArrayLike<number>)
   return count > 0 ? sum / count : 0
 }
 
-/** Returns the mean angle between the normals of two layers where either is not flat, degrees. */
+/** Returns the largest mean angle, degrees, between the normals of a layer. The mean is over texels where at least one normal is not flat. */
 export async function normalsApart(a: AutoOutput, b: AutoOutput): Promise<number> {
   const angles = await Promise.all(
     a.file.maps.layers.map(async (_, layer) => {
@@ -186,7 +186,7 @@ async function normalsOf(file: WrinkledFile, layer: number): Promise<Uint8Array>
   return (await decodeImage(image.bytes, 'normals', 'test')).data
 }
 
-/** Returns the mean angle between normals of three bytes each. */
+/** Returns the mean angle between two normal maps with three bytes per texel, degrees. */
 function meanAngle(first: Uint8Array, second: Uint8Array): number {
   let [sum, count] = [0, 0]
   for (let i = 0; i < first.length; i += 3) {

@@ -12,7 +12,7 @@ const NAME = 'FURROW_wrinkle_maps'
 const at = bench('auto')
 const { file, fails } = at
 
-/** Smallest size, because these tests do not depend on it. */
+/** Runs the command with the smallest maps. The tests do not depend on the size. */
 const run = (...args: string[]) => at.run(...args, '--size', '512')
 
 const write = (name: string, spoil?: (shape: Sheet) => void) => writeSheet(file(name), spoil)
@@ -23,10 +23,10 @@ const areasOf = (path: string) => {
 }
 
 describe('a body without a face', () => {
-  test('is creased by strain alone, and says so', async () => {
+  test('gets wrinkles by strain alone, and the command says so', async () => {
     await run(await write('body.glb'), '-o', file('out.glb'))
     expect(at.printed).toMatch(
-      /mesh "torso", material "cloth" \(the only one with .+\); layers: 1; areas: [1-9]/,
+      /mesh "torso", material "cloth" \(the only surface with .+\); layers: 1; areas: [1-9]/,
     )
     expect(at.warned).toMatch(/^furrow auto: no face detected .*\n$/)
     expect(areasOf(file('out.glb'))[0].name).toBe('bend')
@@ -45,13 +45,16 @@ describe('a body without a face', () => {
       file: file('out.glb'),
       mesh: 'torso',
       material: 'cloth',
-      reason: expect.stringContaining('the only one with'),
+      reason: expect.stringContaining('the only surface with'),
       bytes: readFileSync(file('out.glb')).length,
       cost: { file: expect.any(Number), gpu: expect.any(Number), phone: expect.any(Number) },
       isFace: false,
+      seed: 1,
+      symmetry: 0,
       warnings: [expect.stringContaining('no face detected')],
       layers: ['auto1'],
       areas: expect.any(Array),
+      areasWithoutLines: [],
       missing: [],
     })
     for (const area of told.areas) {
@@ -66,7 +69,7 @@ describe('a body without a face', () => {
 })
 
 describe('bytes', () => {
-  test('depend only on the seed', async () => {
+  test('depend only on the input, the options and the seed', async () => {
     const face = await write('body.glb')
     for (const [name, seed] of [
       ['a', '1'],
@@ -79,7 +82,7 @@ describe('bytes', () => {
     expect(a!.equals(c!)).toBe(false)
   })
 
-  test('of the rest of the file stay the same', async () => {
+  test('of existing data in the file stay the same', async () => {
     const face = await write('body.glb')
     const odd = editGlb(readFileSync(face), (json) => {
       json.extensions = { ODD_thing: { texture: 0 } }
@@ -92,7 +95,7 @@ describe('bytes', () => {
     const [before, after] = [odd, readFileSync(file('out.glb'))]
     const json = jsonOf(after)
     const old = jsonOf(before)
-    // Existing items come first in every list, followed by those of the wrinkles.
+    // In each list, the existing items come first, and those of the wrinkles follow.
     for (const list of ['images', 'textures', 'samplers', 'bufferViews']) {
       expect(json[list].length).toBeGreaterThan((old[list] ?? []).length)
       json[list] = json[list].slice(0, (old[list] ?? []).length)
@@ -110,7 +113,7 @@ describe('bytes', () => {
 describe('the report', () => {
   const page = (folder: string) => readFileSync(join(folder, 'index.html'), 'utf8')
 
-  /** Must work without a browser. */
+  // Makes sure that no browser is available.
   beforeEach(() => void vi.stubEnv('FURROW_CHROMIUM', '/nowhere/chromium'))
   afterEach(() => void vi.unstubAllEnvs())
 
@@ -144,7 +147,7 @@ describe('the report', () => {
     expect([...html.matchAll(/<img [^>]*>/g)].every(([tag]) => /alt="[^"]+"/.test(tag))).toBe(true)
   })
 
-  test("has the face's name if the face goes to stdout, and messages go to stderr", async () => {
+  test('is named after the face if the face goes to stdout, and messages go to stderr', async () => {
     const stderr = vi.spyOn(process.stderr, 'write').mockReturnValue(true)
     const chunks: Buffer[] = []
     vi.spyOn(process.stdout, 'write').mockImplementation(((bytes: Buffer, done: () => void) => {
@@ -162,7 +165,7 @@ describe('the report', () => {
     expect(page(file('piped'))).toContain('<title>body.glb')
   })
 
-  test("replaces an older one and keeps others' files", async () => {
+  test('replaces an older report, and keeps other files', async () => {
     mkdirSync(file('old'))
     writeFileSync(file('old/index.html'), 'old')
     writeFileSync(file('old/notes.txt'), 'mine')
@@ -171,7 +174,7 @@ describe('the report', () => {
     expect(readFileSync(file('old/notes.txt'), 'utf8')).toBe('mine')
   })
 
-  test('the progress bar shows each step in order, and parts of long ones, from start to end', async () => {
+  test('the progress bar shows each step in order, and the progress within long steps', async () => {
     const start = vi.spyOn(SingleBar.prototype, 'start')
     const update = vi.spyOn(SingleBar.prototype, 'update')
     await run(await write('body.glb'), '-o', file('out.glb'), '--report', file('report'))
@@ -306,7 +309,7 @@ describe('input without possible wrinkles is refused in one line:', () => {
     [
       'an index out of range',
       ({ indices }) => void indices.fill(1e6, 5, 6),
-      'has the index 1000000 of 1681 vertices',
+      'has the index 1000000, but only 1681 vertices',
     ],
   ])('%s', async (_, spoil, message) => {
     await fails(message, await write('bad.glb', spoil), '-o', file('x.glb'), '--size', '512')
@@ -336,7 +339,7 @@ describe('input without possible wrinkles is refused in one line:', () => {
       'two million triangles and one',
       ({ asset, accessors, meshes }) => {
         Object.assign(accessors[meshes[0].primitives[0].indices], { count: 6_000_003 })
-        // A smaller file cannot claim that many.
+        // Makes the file larger, because a small file that declares so many triangles is refused for its size.
         asset.extras = ' '.repeat(2_000_001)
       },
       'the mesh "torso" has too many triangles, got 2000001, allowed: 2,000,000',
@@ -362,6 +365,17 @@ describe('files', () => {
     expect(readFileSync(file('twice.glb')).equals(readFileSync(file('once.glb')))).toBe(true)
     await run(file('once.glb'), '-o', file('once.glb'), '--replace', '--force', '--seed', '2')
     expect(readFileSync(file('twice.glb')).equals(readFileSync(file('once.glb')))).toBe(false)
+  })
+
+  test('the seed in the file is used again unless another one is given', async () => {
+    const seedOf = (path: string) => {
+      const { extensions } = jsonOf(readFileSync(file(path))).materials[0]
+      return extensions[NAME].strokes.seed
+    }
+    await run(await write('body.glb'), '-o', file('once.glb'), '--seed', '7')
+    await run(file('once.glb'), '-o', file('again.glb'), '--replace')
+    await run(file('once.glb'), '-o', file('other.glb'), '--replace', '--seed', '8')
+    expect(['once.glb', 'again.glb', 'other.glb'].map(seedOf)).toEqual([7, 7, 8])
   })
 })
 

@@ -65,7 +65,7 @@ describe('furrow bake: a sphere of 20480 triangles onto one of 576', () => {
   ] as const)('%s: within 0.5 degrees of the exact normal', async (name, shape, tangents, frame) => {
     const out = file(`${name}-${tangents[0]}.png`)
     const kind = tangents === 'of the mesh' ? [] : ['--tangents', tangents]
-    // Texels across an edge fit neither triangle, because the derivative frame jumps between triangles.
+    // Takes one sample per texel. The derivative frame differs between triangles, so a mean across an edge fits neither triangle.
     if (tangents === 'derivative') kind.push('--samples', '1')
     await run(file('ball.glb'), file(`${name}.glb`), '-o', out, ...CLOSE, ...kind, '--json')
     expect(report()).toMatchObject({
@@ -79,11 +79,11 @@ describe('furrow bake: a sphere of 20480 triangles onto one of 576', () => {
     })
     const { angle, tilted } = await worst(out, shape, frame)
     expect(angle).toBeLessThan(0.5)
-    // The map matters where the mesh's own normals are off.
+    // The map must correct normals, because those of this mesh are tilted.
     if (name !== 'plain') expect(tilted).toBeGreaterThan(10)
   })
 
-  it('is closer with 16 bits, and prints the height range', async () => {
+  it('is more accurate with 16 bits, and prints the scale of heights', async () => {
     const outputs = ['-o', file('wide.png'), '--height', file('height.png'), '--bits', '16']
     await run(file('ball.glb'), file('tilted.glb'), ...outputs, ...CLOSE)
     expect((await worst(file('wide.png'), tilted, mikkFrame(1))).angle).toBeLessThan(0.15)
@@ -103,11 +103,11 @@ describe('furrow bake: a sphere of 20480 triangles onto one of 576', () => {
     }
   })
 
-  it('extends the islands outwards, and no further', async () => {
+  it('extends the islands by the margin, and no further', async () => {
     await run(file('ball.glb'), file('tilted.glb'), '-o', file('edge.png'), '--size', '128', '--margin', '3')
     const { values } = await readPixels(file('edge.png'))
     const texel = (x: number) => [...values.subarray(3 * (64 * 128 + x), 3 * (64 * 128 + x) + 3)]
-    // The island begins at texel 6.
+    // The island begins at texel 6, and the margin is 3 texels.
     expect(texel(3)[0]! - texel(6)[0]!).toBeLessThan(4)
     expect(texel(3)).not.toEqual([128, 128, 255])
     expect(texel(2)).toEqual([128, 128, 255])
@@ -121,16 +121,16 @@ describe('furrow bake: a sphere of 20480 triangles onto one of 576', () => {
     expect(misses / samples).toBeCloseTo(0.5, 1)
     expect(emptyTexels).toBeGreaterThan(1400)
     await run(...args)
-    expect(at.printed).toMatch(/; \d+ of \d+ rays missed \((49|50|51|52)\.\d\d%\), \d+ texels without a hit/)
+    expect(at.printed).toMatch(/; \d+ of \d+ rays missed \((49|50|51|52)\.\d\d%\), \d+ texels had no hit/)
   })
 
-  it('shows the facets of a sculpt without normals, and says so', async () => {
+  it('bakes the facets of a sculpt without normals, and warns about it', async () => {
     await run(file('facets.glb'), file('plain.glb'), '-o', file('facets.png'), '--size', '32')
     expect(at.warned).toContain('has no normals, so its facets are visible')
   })
 
-  it('occludes a floor beside a wall by the exact share', async () => {
-    // An endless wall of height h hides (1 - d / sqrt(d^2 + h^2)) / 2 of the cosine-weighted sky at distance d.
+  it('computes the exact occlusion of a floor beside a wall', async () => {
+    // At distance d, an endless wall of height h hides `(1 - d / sqrt(d * d + h * h)) / 2` of the cosine-weighted sky.
     const floor = quad([0, 0, 0], [0, 0, 0.2], [0.2, 0, 0])
     const wide = quad([-1, 0, -20], [0, 0, 40], [2, 0, 0])
     const wall = quad([0, -0.01, 20], [0, 0, -40], [0, 0.11, 0])
@@ -143,7 +143,7 @@ describe('furrow bake: a sphere of 20480 triangles onto one of 576', () => {
     }
     expect(readFileSync(again).equals(readFileSync(ao))).toBe(true)
     const { values } = await readPixels(ao)
-    // Distance from the wall grows along b, upwards in the texture.
+    // The distance from the wall grows upwards in the texture.
     for (const row of [4, 16, 27]) {
       const d = 0.2 * (1 - (row + 0.5) / 32)
       const open = 1 - (1 - d / Math.hypot(d, 0.1)) / 2
@@ -157,7 +157,7 @@ describe('furrow bake: a sphere of 20480 triangles onto one of 576', () => {
 })
 
 describe('with several meshes', () => {
-  it('bakes the one that blendshapes move, like furrow auto', async () => {
+  it('bakes onto the mesh that blendshapes move, as furrow auto would choose', async () => {
     await writeGlb(file('several.glb'), { teeth: tilted, face: plain })
     const document = await new NodeIO().read(file('several.glb'))
     const root = document.getRoot()

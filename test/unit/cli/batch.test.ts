@@ -83,7 +83,7 @@ describe('a job key', () => {
 })
 
 describe('the content of a path', () => {
-  it('is its bytes, and those of the files that a .gltf refers to', async () => {
+  it('includes its bytes, and those of the files to which a .gltf refers', async () => {
     const [a, b] = [write('a.glb', 'one'), write('b.glb', 'one')]
     expect(await files.identify(a, 'file')).toBe(await files.identify(b, 'file'))
     const gltf = write('c/face.gltf', '{"buffers": [{"uri": "face.bin"}]}')
@@ -103,7 +103,7 @@ describe('the content of a path', () => {
     const gltf = write('many/face.gltf', JSON.stringify({ images }))
     await files.identify(gltf, 'file')
     await files.identify(join(root, 'many'), 'folder')
-    // Warnings arrive in the next tick.
+    // Node emits warnings in the next tick.
     await new Promise((done) => setTimeout(done))
     process.off('warning', warned)
     expect(warned).not.toHaveBeenCalled()
@@ -128,7 +128,7 @@ describe('the content of a path', () => {
 })
 
 describe('inputs', () => {
-  it('are named below the fixed part of their pattern', async () => {
+  it('are named by their path below the fixed part of the pattern', async () => {
     for (const name of ['a.glb', 'x/b.glb', 'x/c.txt']) write(`in/${name}`, name)
     const found = await listInputs([`${root}/in/**/*.glb`, join(root, 'in/a.glb')], 'file')
     expect(found.map(({ input }) => input)).toEqual([join(root, 'in/a.glb'), join(root, 'in/x/b.glb')])
@@ -145,13 +145,13 @@ describe('inputs', () => {
     await expect(listInputs([pattern], 'file')).rejects.toThrow(problem)
   })
 
-  it('may not share an output, nor be one', async () => {
+  it('may not share an output, and none may be an output', async () => {
     const entry = (input: string, output: string) => ({ input, output, options: {} })
     await expect(checkEntries([entry('a', 'x.glb'), entry('b', './x.glb')], 'auto')).rejects.toThrow(
       'a and b have the same output',
     )
     await expect(checkEntries([entry('a', './b'), entry('b', 'y')], 'auto')).rejects.toThrow(
-      'an output is an input',
+      'an output is a file that the batch reads',
     )
     await checkEntries([entry('a', 'x'), entry('b', 'y')], 'auto')
   })
@@ -163,12 +163,14 @@ describe('inputs', () => {
     symlinkSync(input, join(root, 'linked/a.glb'))
     const entry = (output: string) => ({ input, output, options: {} })
     for (const output of [join(link, 'a.glb'), join(root, 'linked/a.glb')])
-      await expect(checkEntries([entry(output)], 'auto')).rejects.toThrow('an output is an input')
+      await expect(checkEntries([entry(output)], 'auto')).rejects.toThrow(
+        'an output is a file that the batch reads',
+      )
     const twice = ['in/new/b.glb', 'link/new/b.glb'].map((path) => entry(join(root, 'linked', path)))
     await expect(checkEntries(twice, 'auto')).rejects.toThrow('have the same output')
   })
 
-  it('may not be overwritten through files that they refer to', async () => {
+  it('may not refer to a file that is an output', async () => {
     write('parts/face.gltf', '{"buffers": [{"uri": "face.glb"}], "images": [{"uri": "../outside.glb"}]}')
     for (const name of ['parts/face.glb', 'parts/wrinkles.glb', 'outside.glb', 'other.gltf'])
       write(name, name)
@@ -184,7 +186,9 @@ describe('inputs', () => {
     ] as const
     for (const [command, input, output, options] of refused) {
       const entries = [{ input, output: at(output), options }]
-      await expect(checkEntries(entries, command), output).rejects.toThrow('an output is an input')
+      await expect(checkEntries(entries, command), output).rejects.toThrow(
+        'an output is a file that the batch reads',
+      )
     }
     await checkEntries([{ input: auto, output: at('parts/new.glb'), options: {} }], 'auto')
   })
@@ -206,7 +210,7 @@ describe('inputs', () => {
 })
 
 describe('a manifest', () => {
-  it('gives each line its own options on top of the common ones', async () => {
+  it('has options per line, which override the common ones', async () => {
     const path = write(
       'jobs.jsonl',
       '\ufeff{"input": "a.glb", "output": "x/a.glb", "options": {"age": 60, "furrows": true}}\r\n\n{"input": "s3://b/c.glb"}\n',
@@ -266,7 +270,7 @@ describe('a job', () => {
     expect(outcome.reason).toMatch(/limit of 60 s; raise --timeout/)
   })
 
-  it('is not retried if its file is refused, and its reason names the input', async () => {
+  it('is not retried if its file is refused, and the reason names the input', async () => {
     const failure = `furrow validate: ${join(root, 'job.glb')} is empty; name another`
     const { outcome } = await run({ ...done, report: { ...done.report, exitCode: 1, failure } })
     expect(outcome).toMatchObject({ status: 'failed', kind: 'file', attempts: 1, reason: failure })
@@ -296,7 +300,7 @@ describe('a job', () => {
   })
 })
 
-it('only errors that can pass are retried', async () => {
+it('only temporary errors are retried', async () => {
   const reset = Object.assign(new Error('reset'), { code: 'ECONNRESET' })
   expect(isTransient(new Error('outer', { cause: reset }))).toBe(true)
   for (const status of [429, 503]) expect(isTransient({ status })).toBe(true)
@@ -361,7 +365,7 @@ describe('a plan', () => {
     const results = openResults(join(root, 'results.jsonl'))
     for (const one of lines) results.add(one)
     results.close()
-    // The batch was interrupted in the middle of a line.
+    // Simulates a batch that was interrupted while it wrote a line.
     writeFileSync(join(root, 'results.jsonl'), '{"key": "cut', { flag: 'a' })
     const earlier = readResults(join(root, 'results.jsonl'))
     writeFileSync(join(root, 'out/p/c.glb'), 'res')
@@ -379,7 +383,7 @@ describe('a plan', () => {
     expect([...readResults(join(root, 'results.jsonl')).values()].at(-1)!.input).toBe('later')
   })
 
-  // Linux device that is always full.
+  // /dev/full is a device of Linux on which every write fails, as on a full disk.
   it.runIf(existsSync('/dev/full'))('ends with one line if the results cannot be written', () => {
     const results = openResults('/dev/full')
     expect(() => results.add(line('a'))).toThrow(/^furrow batch: cannot write \/dev\/full \(.*full/)
@@ -431,7 +435,7 @@ describe('stored results', () => {
     warned.mockRestore()
   })
 
-  it('lose unknown fields, and keep any text', () => {
+  it('keep any text, and lose unknown fields', () => {
     const known = line('f\u00e4ce \u{1f600}.glb'.repeat(5000))
     const path = write('more.jsonl', JSON.stringify({ ...known, place: '../../etc', __proto__: null }))
     expect([...readResults(path).values()]).toEqual([known])
@@ -483,7 +487,7 @@ describe('the results page', () => {
     expect(text).toContain('no browser')
   })
 
-  it('stays small', () => {
+  it('is not larger than allowed', () => {
     const text = page(Array.from({ length: MAX_ROWS + 5 }, (_, i) => line(`${i}.glb`)))
     expect(text.match(/<tr class/g)).toHaveLength(MAX_ROWS)
     expect(text).toContain('results.jsonl</a>.')

@@ -7,25 +7,18 @@ import { afterAll, beforeAll, describe, expect, it, vi } from 'vitest'
 import { jsonOf } from '../../glb.ts'
 import { noise } from '../../noise.ts'
 import { loadInNode } from '../three/node-loader.ts'
-import { faceBytes, grayOf, grayPng, Workshop, wrinklesIn } from './workshop.ts'
+import { gray, OCCLUSION, SIZE, texels, writeSharedFolder } from './shared-image-folder.ts'
+import { grayOf, grayPng, Workshop, wrinklesIn } from './workshop.ts'
 
-// Node has no WebGL to read pixels with. The bitmap stand-in has pixels.
+// Furrow reads the pixels of an ImageBitmap with WebGL, which Node lacks. In this test, the bitmap is an object with pixels.
 vi.mock(import('../../../packages/furrow/src/runtime/file/read-image.ts'), async (original) => ({
   ...(await original()),
   readImage: (bitmap) => bitmap as unknown as RgbaImage,
 }))
 
-const SIZE = 16
 const shop = new Workshop()
 
 const mapsOf = (path: string) => parseWrinkleMaps(wrinklesIn(path), 99)
-
-/** Makes a gray PNG file whose texels are `value(i)` of 255. */
-const gray = (value: (i: number) => number, size = SIZE) =>
-  grayPng(
-    Uint8Array.from({ length: size * size }, (_, i) => value(i)),
-    size,
-  )
 
 /** Decodes a texture of a packed file. */
 async function imageOf(path: string, texture: number) {
@@ -38,27 +31,13 @@ async function imageOf(path: string, texture: number) {
 }
 
 const BLOOD = (i: number) => (i % 3 === 0 ? 128 : i % 256)
-const OCCLUSION = (i: number) => 255 - (i % 100)
-const texels = Array.from({ length: SIZE * SIZE }, (_, i) => i)
 
-/** Makes a folder with a layer that has blood and occlusion, and one that has only blood. */
-async function makeFolder(name: string, more: object = {}) {
-  shop.write(`${name}/face.glb`, await faceBytes())
-  for (const layer of ['up', 'down']) {
-    shop.write(`${name}/layers/${layer}/normal.png`, await noise(1, 3, SIZE))
-    shop.write(`${name}/layers/${layer}/blood.png`, await gray(BLOOD))
-  }
-  shop.write(`${name}/layers/up/occlusion.png`, await gray(OCCLUSION))
-  shop.write(`${name}/areas/nose.png`, await gray((i) => i))
-  shop.json(`${name}/wrinkles.json`, {
-    version: 1,
-    layers: [
-      { name: 'up', bloodAmplitude: 0.25, occlusionStrength: 0.5, ...more },
-      { name: 'down', bloodAmplitude: 0.5 },
-    ],
-  })
-  return shop.path(name)
-}
+/** Makes a wrinkle folder with two layers: one has blood and occlusion, the other only blood. */
+const makeFolder = (name: string, more: object = {}) =>
+  writeSharedFolder(shop, name, 'blood', BLOOD, [
+    { name: 'up', bloodAmplitude: 0.25, occlusionStrength: 0.5, ...more },
+    { name: 'down', bloodAmplitude: 0.5 },
+  ])
 
 const out = shop.path('packed.glb')
 let folder = ''
@@ -165,7 +144,7 @@ describe('the blood map of a folder', () => {
     expect(down).not.toHaveProperty('occlusion')
   })
 
-  it('is inspected as a separate map, which costs nothing next to the occlusion', async () => {
+  it('is inspected as a separate map without a size, because it shares the image of the occlusion', async () => {
     await shop.run('inspect', out, '--sheet', shop.path('sheet.png'), '--json')
     const { layers, gpu } = JSON.parse(shop.printed)
     const [up] = layers
@@ -173,7 +152,7 @@ describe('the blood map of a folder', () => {
       up.maps.map((map: { map: string; texture: number }) => [map.map, map.texture]),
     )
     expect(maps.blood).toBe(maps.occlusion)
-    // Two normal maps and two images with blood, of 16 x 16 texels with mipmaps, and an area of 128 x 128.
+    // Two normal maps and two images with blood, each 16 x 16 with mipmaps, and one area of 128 x 128.
     expect(gpu.uncompressed).toBe(4 * 4 * (256 + 64 + 16 + 4 + 1) - 4 * 4 * 341 + 3 * 4 * 341 + 128 * 128)
     expect((await sharp(shop.path('sheet.png')).metadata()).width).toBeGreaterThan(256)
   })
@@ -193,12 +172,12 @@ describe('pack refuses', () => {
         const wide = sharp({ create: { width: 32, height: 16, channels: 3, background: '#fff' } })
         shop.write(`${at}/layers/up/occlusion.png`, await wide.png().toBuffer())
       },
-      /blood map of layer "up" differs in size from its occlusion/,
+      /blood map of layer "up" differs in size from the map that shares its image/,
     ],
     [
       'blood without an amplitude, whose file lies there',
       async (at: string) => shop.json(`${at}/wrinkles.json`, { layers: [{ name: 'up' }] }),
-      /layers\/up\/blood\.png requires bloodAmplitude of its layer, .*, allowed: 0 to 2; add it to "layers" in wrinkles\.json, e\.g\. \{"name":"up","bloodAmplitude":0\.3\}, or move the map out of the folder$/,
+      /layers\/up\/blood\.png requires bloodAmplitude, which its layer in wrinkles\.json lacks, allowed: 0 to 2; add it to "layers" in wrinkles\.json, e\.g\. \{"name":"up","bloodAmplitude":0\.3\}, or move the map out of the folder$/,
     ],
     [
       'a damaged image',

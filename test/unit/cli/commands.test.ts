@@ -4,7 +4,7 @@ import { describe, expect, it } from 'vitest'
 import { COMMAND_NAMES, commandOf } from '../../commands.ts'
 import { Workshop } from './workshop.ts'
 
-/** Page that explains the options of each command. The options of `render` are explained only by its help. */
+/** Page that explains the options of each command. Only the options of `render` have no page. */
 const PAGES = {
   activations: 'docs/drivers.md',
   array: 'docs/array.md',
@@ -50,7 +50,7 @@ describe('an option', () => {
   const choices = (option: Option) => option.argChoices?.join(' ')
   const parse = (option: Option, text: string) => option.parseArg!(text, undefined)
 
-  /** Returns the rule in the error about an invalid value, or the choices. */
+  /** Returns the choices of an option, or the rule that its error about an invalid value states. */
   function ruleOf(option: Option): string {
     try {
       return `takes ${parse(option, '?')}`
@@ -77,10 +77,11 @@ describe('an option', () => {
       'auto --strength': 'a number from 0 to 2',
       'auto --size': '512 1024 2048 4096',
       'auto --seed': 'an integer from 0 to 2147483647',
+      'auto --symmetry': 'a number from 0 to 1',
       'auto --layers': 'an integer from 1 to 4',
       'auto --areas': 'an integer from 1 to 64',
       'auto --regions':
-        'foreheadInner foreheadOuter glabella noseRoot nose crowsFeet underEye nasolabial mouthCorner upperLip lowerLip chin neck',
+        'foreheadInner foreheadOuter glabella noseRoot nose crowsFeet underEye nasolabial mouthCorner upperLip lowerLip chin neck bag hood cheek jowl',
       'bake --size': 'an integer from 16 to 8192',
       'bake --cage': 'a number from 0.001 to 100000 mm',
       'bake --samples': '1 4 9 16',
@@ -90,7 +91,7 @@ describe('an option', () => {
       'bake --rays': 'an integer from 1 to 4096',
       'bake --reach': 'a number from 0.001 to 100000 mm',
       'batch --command': 'auto pack validate inspect',
-      'batch --shard': 'I/N, part I of N parts, from 1/N to N/N',
+      'batch --shard': 'I/N, from 1/N to N/N, for part I of N',
       'batch --jobs': 'an integer from 1 to 1024',
       'batch --memory': 'an integer from 256 to 1048576 MB',
       'batch --timeout': 'a number from 1 to 86400 seconds',

@@ -10,7 +10,7 @@ const HUMAN = fileURLToPath(new URL('../../../faces/human.glb', import.meta.url)
 const shop = new Workshop()
 const packed = shop.path('packed.glb')
 
-/** Corrections for the face of `Workshop.makeFolder`, whose skin has one blendshape. */
+/** Corrections of shapes: what the blendshape of the face in `Workshop.makeFolder` really is. */
 const SHAPES = [
   { mesh: 'skin', target: 'browInnerUp', shape: 'cheekPuff' },
   { target: 'Brow_Inner_Up', shape: 'mouthSmile' },
@@ -22,7 +22,7 @@ async function makeFolder(name: string, shapes: unknown): Promise<string> {
   return folder
 }
 
-/** Returns a file with other corrections. */
+/** Returns a copy of a file with other corrections. */
 function withShapes(file: string, shapes: unknown): string {
   const edited = editGlb(readFileSync(file), ({ materials }) => {
     materials[0].extensions[NAME].shapes = shapes
@@ -49,7 +49,7 @@ describe('shape corrections', () => {
     expect(wrinklesIn(again).shapes).toEqual(SHAPES)
   })
 
-  it('are removed if a set without corrections replaces theirs', async () => {
+  it('are removed if a set without corrections replaces the set', async () => {
     await shop.run('pack', await makeFolder('none', []), '--face', packed, '-o', shop.path('none.glb'))
     expect(wrinklesIn(shop.path('none.glb'))).not.toHaveProperty('shapes')
     await shop.run('unpack', shop.path('none.glb'), '-o', shop.path('none-again'))
@@ -81,7 +81,7 @@ describe('shape corrections', () => {
     ]
     await shop.run('pack', await makeFolder('missing', shapes), '-o', shop.path('missing.glb'))
     for (const what of ['blendshape "browInnerUp" of mesh "body"', 'blendshape "other"'])
-      expect(shop.warned).toContain(`furrow pack: ${what} does not exist; it is kept`)
+      expect(shop.warned).toContain(`furrow pack: ${what} does not exist; the reference to it is kept`)
     expect(wrinklesIn(shop.path('missing.glb')).shapes).toEqual(shapes)
     await shop.run('validate', shop.path('missing.glb'))
     expect(shop.printed).toContain('blendshape "other" does not exist')
@@ -99,7 +99,7 @@ describe('shape corrections', () => {
     expect(shapes[0].by === 'correction').toBe(isFound)
   })
 
-  it('are shown by furrow inspect, the first of two equal ones', async () => {
+  it('are shown by furrow inspect, which uses the first of two for one blendshape', async () => {
     await shop.run('inspect', packed)
     expect(shop.printed).toMatch(/^browInnerUp +cheekPuff +1\.00 +correction$/m)
     await shop.run('inspect', withShapes(packed, [{ target: 'browInnerUp' }]))
@@ -114,7 +114,7 @@ describe('shape corrections', () => {
 describe('furrow auto', () => {
   const NAMES: Record<string, string> = { noseSneerLeft: 'fat', noseSneerRight: 'male' }
 
-  /** Returns the weight of a blendshape in an area's driver. */
+  /** Returns the weight of a blendshape in the driver of an area. */
   function weightOf(file: string, area: string, target: string): number {
     const driver = wrinklesIn(file).drivers.find(
       (one: { type: string; area: string }) => one.type === 'morph' && one.area === area,
@@ -141,7 +141,7 @@ describe('furrow auto', () => {
     expect(areasOf(before)).not.toContain('noseLeft')
     expect(areasOf(after)).toEqual(expect.arrayContaining(['noseLeft', 'noseRight']))
     expect(weightOf(after, 'noseLeft', 'fat')).toBeGreaterThan(0.5)
-    // Other shapes cause these lines, and the skin compressed by the blendshape still takes part.
+    // Without its shape, the blendshape causes no lines here. It still compresses this skin, so it keeps half the weight.
     const [full, half] = [before, after].map((file) => weightOf(file, 'lowerLip', 'mouthPucker'))
     expect(full).toBeGreaterThan(0.5)
     expect(half).toBe(0.5)

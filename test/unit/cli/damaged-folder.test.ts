@@ -23,11 +23,11 @@ it.each([
   await expect(shop.run('pack', folder, '-o', shop.path('out.glb'))).rejects.toThrow(`${path}${problem}`)
 })
 
-it('pack names a damaged layer also if it scales the layer', async () => {
+it('pack names a damaged layer, also when it scales layers', async () => {
   const folder = await shop.makeFolder('damaged')
   const layer = `${folder}/layers/age/normal.png`
   const png = readFileSync(layer)
-  // In the checksum of the header (PNG, 5.3).
+  // This byte is in the checksum of the header (PNG specification, 5.3).
   png[30]! ^= 1
   writeFileSync(layer, png)
   const message = /cannot read the image .*normal\.png/

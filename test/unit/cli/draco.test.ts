@@ -10,7 +10,7 @@ import { Workshop } from './workshop.ts'
 
 const shop = new Workshop()
 
-/** Makes a mesh without blendshapes, which Draco does not compress. */
+/** Makes a mesh compressed with Draco. It has no blendshapes, because Draco cannot compress them. */
 async function compressed(method: 'sequential' | 'edgebreaker'): Promise<Buffer> {
   const io = new NodeIO()
     .registerExtensions([KHRDracoMeshCompression])
@@ -20,7 +20,7 @@ async function compressed(method: 'sequential' | 'edgebreaker'): Promise<Buffer>
   return Buffer.from(await io.writeBinary(document))
 }
 
-/** Replaces one or two bytes in the header of the Draco data by a number. */
+/** Replaces the number at an offset in the header of the Draco data. Numbers there have a variable length. */
 async function withCount(method: 'sequential' | 'edgebreaker', at: number, count: number): Promise<Buffer> {
   const { json, bin } = splitGlb(await compressed(method))
   const start = bin.indexOf('DRACO')
@@ -47,11 +47,26 @@ describe('meshes in Draco', () => {
     expect(problemOf(await compressed(method))).toBeUndefined()
   })
 
-  // 13 x 13 vertices and 288 triangles. Triangle counts take two bytes.
+  // The mesh has 13 x 13 vertices and 288 triangles.
   it.each<[string, 'sequential' | 'edgebreaker', number, RegExp]>([
-    ['2 million vertices', 'sequential', 13, /meshes\[0\] holds 2000000 vertices, its accessors 169/],
-    ['2 million triangles', 'sequential', 11, /meshes\[0\] holds 6000000 indices, its accessor 864/],
-    ['2 million triangles', 'edgebreaker', 14, /meshes\[0\] holds 6000000 indices, its accessor 864/],
+    [
+      '2 million vertices',
+      'sequential',
+      13,
+      /meshes\[0\] has 2000000 vertices in its Draco data, but its accessors declare 169/,
+    ],
+    [
+      '2 million triangles',
+      'sequential',
+      11,
+      /meshes\[0\] has 6000000 indices in its Draco data, but its accessors declare 864/,
+    ],
+    [
+      '2 million triangles',
+      'edgebreaker',
+      14,
+      /meshes\[0\] has 6000000 indices in its Draco data, but its accessors declare 864/,
+    ],
   ])('are not decoded if they claim %s: %s', async (_, method, at, message) => {
     const path = shop.write('hostile.glb', await withCount(method, at, 2_000_000))
     const error = await shop.failure('auto', path, '-o', shop.path('out.glb'))

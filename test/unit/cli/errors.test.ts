@@ -24,7 +24,7 @@ describe('library errors in a command', () => {
     remedy: 'scale it',
   } as const
 
-  it('are reported by the command, with all other parts, and the original as cause', async () => {
+  it('name the command, keep all other parts, and have the original as cause', async () => {
     const original = new FurrowError({ who: 'bakeMaps', ...parts })
     const error = await failure(() =>
       withCommandErrors('furrow bake', () => {
@@ -34,7 +34,7 @@ describe('library errors in a command', () => {
     expect(error).toMatchObject({ who: 'furrow bake', ...parts, cause: original })
   })
 
-  it('about memory name a remedy', async () => {
+  it('name a remedy if memory is insufficient', async () => {
     const error = await failure(() => withCommandErrors('furrow bake', () => new Float64Array(2 ** 52)))
     expect(error).toMatchObject({ name: 'FurrowError', code: 'unsupported', who: 'furrow bake' })
     expect((error as Error).message).toContain('choose a smaller --size')
@@ -50,7 +50,7 @@ describe('library errors in a command', () => {
     expect(error).toBe(bug)
   })
 
-  it('are absent on success, and the result is returned', () => {
+  it('do not occur on success, and the result is returned', () => {
     expect(withCommandErrors('furrow bake', () => 7)).toBe(7)
   })
 })
@@ -94,7 +94,7 @@ describe('the command line', () => {
     })
   })
 
-  it('has no empty values, such as those of unset variables', async () => {
+  it('refuses empty values, such as those of unset variables', async () => {
     const problem = (...args: string[]) =>
       failure(() => run(...args)).then((error) => (error as FurrowError).problem)
     expect(await problem('', '-o', 'x')).toBe("argument 'yarn' is empty")
@@ -102,7 +102,7 @@ describe('the command line', () => {
     expect(await problem('wool', '--output=')).toBe("option '-o, --output <file>' is empty")
   })
 
-  it('asks for files before options with several values', async () => {
+  it('says that files must precede options with several values', async () => {
     const command = createCommand('knit')
       .argument('<yarn>')
       .addOption(new Option('--colours <names...>').choices(['red', 'blue']))

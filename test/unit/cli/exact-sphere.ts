@@ -1,4 +1,4 @@
-/** Exact map of a sphere baked onto a coarser one, in the frames of different renderers. */
+/** Computes the exact result of baking a fine sphere onto a coarse sphere: heights, and normals in the tangent frames of different renderers. */
 
 import sharp from 'sharp'
 import { cross, degreesBetween, dot, minus, unit, type Vector } from '../../vectors.ts'
@@ -6,7 +6,7 @@ import type { globe } from './spheres.ts'
 
 const add = (...terms: [number, Vector][]): Vector =>
   [0, 1, 2].map((k) => terms.reduce((sum, [share, v]) => sum + share * v[k]!, 0)) as Vector
-/** Radii in metres. The sculpt is 3 mm outside the corners of the mesh. */
+/** Radii of the coarse and of the fine sphere, metres. The fine one is 3 mm outside the vertices of the coarse one. */
 export const [LOW, HIGH] = [0.1, 0.103]
 export const [COLUMNS, ROWS, TILT] = [24, 12, 0.2]
 
@@ -23,7 +23,7 @@ const mix = (values: number[], { triangle, weights }: Place, of = (v: Vector, _:
     ),
   )
 
-/** Returns glTF's frame of tangents made by `tangent` from position and normal of a vertex. */
+/** Returns the tangent frame of glTF, interpolated between vertices. `tangent` makes a vertex's tangent from its position and normal. */
 const vertexFrame =
   (sign: number, tangent: (p: Vector, n: Vector) => Vector): Frame =>
   (shape, place) => {
@@ -33,17 +33,17 @@ const vertexFrame =
     return [t, b, unit(mix(shape.normals, place))]
   }
 
-/** Tangents of own.glb: horizontal, perpendicular to the normal. */
+/** Frame with the tangents stored in own.glb: horizontal, perpendicular to the normal. */
 export const ownFrame = (sign: number) => vertexFrame(sign, (_, n) => [n[2], 0, -n[0]])
 
-/** MikkTSpace tangents: the direction of u on the surface, here due east, projected into the normal's plane. */
+/** Frame with MikkTSpace tangents: the direction of u on the surface, here east, made perpendicular to the normal. */
 export const mikkFrame = (sign: number) =>
   vertexFrame(sign, (p, n) => {
     const east: Vector = unit([p[2], 0, -p[0]])
     return add([1, east], [-dot(east, n), n])
   })
 
-/** Frame of three.js's shader without tangents, on a screen whose pixels are steps of 0.3 and 0.2 mm on the triangle. */
+/** Frame that three.js computes in the shader for meshes without tangents. A pixel is a step of 0.2 to 0.3 mm on the triangle. */
 export const screenFrame: Frame = (shape, place) => {
   const [p0, p1, p2] = place.triangle.map((i) => corner(shape.positions, i)) as [Vector, Vector, Vector]
   const [s0, s1, s2] = place.triangle.map((i) => shape.uvs.slice(2 * i, 2 * i + 2)) as [
@@ -53,7 +53,7 @@ export const screenFrame: Frame = (shape, place) => {
   ]
   const [e, f] = [minus(p1, p0), minus(p2, p0)]
   const n = unit(mix(shape.normals, place))
-  // Two steps on the triangle, the second to the left of the first as seen from outside.
+  // Steps to the neighbouring pixels, in barycentric coordinates. Seen from outside, the second step points left of the first.
   const steps = [
     [0.003, 0.001],
     [-0.0005, 0.002],
@@ -64,11 +64,11 @@ export const screenFrame: Frame = (shape, place) => {
   const t = add([st0![0]!, q1perp], [st1![0]!, q0perp])
   const b = add([st0![1]!, q1perp], [st1![1]!, q0perp])
   const scale = 1 / Math.sqrt(Math.max(dot(t, t), dot(b, b)))
-  // GLTFLoader negates normalScale.y for such meshes.
+  // The bitangent is negated, because GLTFLoader negates normalScale.y for meshes without tangents.
   return [add([scale, t]), add([-scale, b]), n]
 }
 
-/** Finds the triangle of the globe at (u, v) of the texture. */
+/** Finds the triangle of the coarse sphere at the texture coordinates (u, v), and the barycentric coordinates in it. */
 export function placeOf({ indices, uvs }: Globe, u: number, v: number): Place | undefined {
   for (let i = 0; i < indices.length; i += 3) {
     const triangle = indices.slice(i, i + 3) as Vector
@@ -81,7 +81,7 @@ export function placeOf({ indices, uvs }: Globe, u: number, v: number): Place | 
   return undefined
 }
 
-/** Intersects the ray of a place with the sphere. Returns the height above the mesh and the exact normal. */
+/** Intersects the fine sphere with the ray along the normal of a point. Returns the height above the mesh and the exact normal. */
 export function exact(shape: Globe, place: Place): { height: number; normal: Vector } {
   const p = mix(shape.positions, place)
   const n = unit(mix(shape.normals, place))
@@ -102,10 +102,10 @@ export async function readPixels(path: string) {
   return { ...info, values, full: wide ? 65535 : 255 }
 }
 
-/** Margin of the texture to leave out: at the rim MikkTSpace sees triangles on one side only. */
+/** Border of the texture to skip, 0..1. At the border, MikkTSpace averages over triangles of one side only. */
 const RIM = 0.05 + 0.9 / ROWS
 
-/** Returns the largest angle between a map, decoded in a frame, and the sphere, degrees, over every third texel in both directions. */
+/** Returns the largest angle between a decoded normal map and the fine sphere, degrees. Tests every third texel in both directions. */
 export async function worst(path: string, shape: Globe, frame: Frame) {
   const { values, width, full } = await readPixels(path)
   let angle = 0

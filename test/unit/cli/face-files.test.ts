@@ -7,7 +7,7 @@ import type { BufferView } from '../../../packages/files/src/json/gltf-json.ts'
 
 const BYTES = Uint8Array.from({ length: 100 }, (_, i) => i)
 
-/** Writes a file with an image in its first view as `.gltf`. Returns its views and buffer. */
+/** Writes a file as `.gltf`, and its image, the first buffer view, as a separate file. Returns the remaining views and the buffer. */
 async function written(...views: Omit<BufferView, 'buffer'>[]) {
   const bufferViews = views.map((view) => ({ buffer: 0, ...view }))
   const json: GltfJson = {
@@ -28,7 +28,7 @@ async function written(...views: Omit<BufferView, 'buffer'>[]) {
 
 const range = (start: number, end: number) => [...BYTES.subarray(start, end)]
 
-it('moves views together after removing an image, with equal alignment', async () => {
+it('closes the gap of a removed image, and keeps the alignment of views', async () => {
   const { bin, moved, contents } = await written(
     { byteOffset: 20, byteLength: 21 },
     { byteOffset: 44, byteLength: 8 },
@@ -49,7 +49,7 @@ it('writes bytes shared by several views once', async () => {
   )
 })
 
-it('keeps an empty view within the buffer', async () => {
+it('keeps the offset of an empty view within the buffer', async () => {
   const { bin, moved } = await written(
     { byteLength: 40 },
     { byteOffset: 40, byteLength: 60 },

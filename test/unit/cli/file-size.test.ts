@@ -12,14 +12,14 @@ const HUGE = 1900 * MIB
 const shop = new Workshop()
 const at = (name: string) => shop.path(name)
 
-/** Creates a sparse file of some first bytes and zeros. */
+/** Creates a sparse file: the bytes of `begin`, then zeros. */
 function sparse(name: string, bytes: number, begin: Uint8Array = Buffer.alloc(0)): string {
   const path = shop.write(name, begin)
   truncateSync(path, bytes)
   return path
 }
 
-/** Returns the first bytes of a binary glTF file with a length and a JSON length. */
+/** Returns the first bytes of a binary glTF file that declares these lengths of the file and of its JSON. */
 function header(length: number, jsonLength: number): Buffer {
   const head = Buffer.alloc(20)
   for (const [i, value] of [0x46546c67, 2, length, jsonLength, 0x4e4f534a].entries()) {
@@ -28,7 +28,7 @@ function header(length: number, jsonLength: number): Buffer {
   return head
 }
 
-/** Expects a one-line error after reading little more than the header. */
+/** Expects a one-line error, and that the command has read little more than the header. */
 async function expectRefusal(message: string | RegExp, command: CommandName, args: string[]): Promise<void> {
   const before = process.resourceUsage().fsRead
   const { rss } = process.memoryUsage()

@@ -3,7 +3,7 @@ import { beforeAll, beforeEach, describe, expect, it, vi } from 'vitest'
 import type { CommandName } from '../../commands.ts'
 import { Workshop } from './workshop.ts'
 
-// Mocked, because root may write everywhere.
+// Mocks the check of permissions, because tests may run as root, who may write everywhere.
 vi.mock('node:fs/promises', async (original) => {
   const module = await original<typeof import('node:fs/promises')>()
   return { ...module, access: vi.fn(module.access) }
@@ -11,7 +11,7 @@ vi.mock('node:fs/promises', async (original) => {
 
 const shop = new Workshop()
 
-/** Every command that writes a folder. No input exists, so an error about the folder comes before any work. */
+/** Arguments of every command that writes a folder. No input exists, so only an early check can find the folder's problem. */
 const COMMANDS: [CommandName, (folder: string) => string[]][] = [
   ['array', (folder) => ['none.ktx2', '--extract', folder]],
   ['auto', (folder) => ['none.glb', '-o', shop.path('x.glb'), '--report', folder]],

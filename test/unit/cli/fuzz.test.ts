@@ -6,7 +6,7 @@ import { bundle } from '../../../scripts/lib/bundle.mjs'
 import { COMMANDS } from '../../fuzz/cases.ts'
 import { type CommandResults, fuzz } from '../../fuzz/fuzz.ts'
 
-// Longer: `npm run fuzz -- --count 5000 --seed 2 --command auto`.
+// For a longer run: `npm run fuzz -- --count 5000 --seed 2 --command auto`.
 const IN_DEPTH = inject('inDepth')
 const COUNT = IN_DEPTH ? 100 : 8
 const SEED = 1
@@ -23,11 +23,11 @@ beforeAll(async () => {
   results = await fuzzed(await bundle('test/fuzz/child.ts'), [...COMMANDS], (text) => lines.push(text))
 }, 30 * 60_000)
 
-test.each(COMMANDS)('%s: damaged files end in success, one line or a finding', (command) => {
+test.each(COMMANDS)('%s: a damaged file leads to success, an error of one line, or a finding', (command) => {
   const { failures, tried } = results.find((each) => each.command === command)!
   expect(failures, `seed ${SEED}; the files are in ${keep}\n${lines.join('\n')}`).toEqual([])
   expect(tried).toHaveLength(COUNT)
-  // Files that are all refused at once test nothing. A few files may all be refused.
+  // If a command refused every file, the run would prove little. A short run may have no success by chance.
   const successes = tried.filter(({ outcome }) => outcome === 'success')
   if (IN_DEPTH) expect(successes.length).toBeGreaterThan(0)
 })

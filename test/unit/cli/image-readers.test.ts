@@ -8,7 +8,7 @@ const load = () => import('../../../packages/files/src/images/open-image.ts')
 
 await load()
 
-/** Reads an image in a loop. `counts` has the successful and failed reads. */
+/** Script of a thread that reads an image in a loop. `counts` holds the numbers of successful and of failed reads. */
 const READER = `
   const { workerData: { counts, png } } = require('node:worker_threads')
   const sharp = require('sharp')

@@ -30,7 +30,7 @@ beforeAll(async () => {
 
 describe('sizes on the GPU', () => {
   it.each([
-    // Sums over all levels: 4 x 4 + 2 x 2 + 1 x 1 texels, and one block per level.
+    // All mipmap levels count: 4 x 4 + 2 x 2 + 1 x 1 texels, or one block of 4 x 4 texels per level.
     [4, 4, { uncompressed: 4 * 21, bits8: 48, bits4: 24 }],
     [5, 2, { uncompressed: 4 * (10 + 2 + 1), bits8: 16 * (2 + 1 + 1), bits4: 8 * 4 }],
     [512, 512, { uncompressed: 1398100, bits8: 349552, bits4: 174776 }],
@@ -62,7 +62,7 @@ describe('furrow inspect', () => {
     )
   })
 
-  it('prints the same as JSON, counting every image once', async () => {
+  it('prints JSON, in which sizes count every image once', async () => {
     await shop.run('inspect', face, '--json')
     const report = JSON.parse(shop.printed)
     const json = jsonOf(readFileSync(face))
@@ -75,19 +75,19 @@ describe('furrow inspect', () => {
     )
     const maps = 3 * mapSizes(16, 16).uncompressed
     expect(report.gpu.uncompressed).toBe(maps + 5 * 128 * 128)
-    // Two layers in floats.
+    // The influence map has two layers of 32-bit floats.
     expect(report.influenceMapBytes).toBe(8 * 128 * 128)
     expect(report.fileBytes).toBe(readFileSync(face).length)
     expect(report.areas[0]).toMatchObject({ name: 'brow', channel: 'R', coverage: 0.125, largest: 1 })
     expect(report.drivers).toHaveLength(4)
   })
 
-  it('draws every map and area into one sheet', async () => {
+  it('draws every map and area into one picture', async () => {
     const path = shop.path('deep/sheet.png')
     await shop.run('inspect', face, '--sheet', path)
     expect(shop.printed).toMatch(/deep\/sheet\.png: all maps and areas\n$/)
     const { data, info } = await sharp(path).raw().toBuffer({ resolveWithObject: true })
-    // 3 maps and 5 areas in 4 columns.
+    // The picture has 3 maps and 5 areas, in 4 columns.
     expect(info).toMatchObject({ width: 4 * 266 + 10, height: 2 * 292 + 10, channels: 3 })
     const red = (x: number, y: number) => data[3 * (y * info.width + x)] - data[3 * (y * info.width + x) + 1]
     const average = (tile: number, column: number) => {
@@ -96,8 +96,8 @@ describe('furrow inspect', () => {
       for (let y = 64; y < 192; y++) for (let x = 8; x < 24; x++) sum += red(left + x, top + y)
       return sum / (128 * 16)
     }
-    // The area `brow` shows in column 0 and `cheek` in column 1 of their pictures. The skin's noise is equal in both pictures and cancels
-    // out.
+    // `brow` covers column 0 of its picture, and `cheek` column 1. The base colour, which is noise, is equal in both pictures and cancels
+    // out in the difference.
     expect(average(3, 0) - average(4, 0)).toBeGreaterThan(50)
     expect(average(4, 1) - average(3, 1)).toBeGreaterThan(50)
     expect(average(3, 4) - average(4, 4)).toBe(0)
@@ -119,7 +119,7 @@ describe('furrow inspect', () => {
 })
 
 describe('the blendshapes of a face without wrinkles', () => {
-  it('are listed with their shape, by motion and by name', async () => {
+  it('are listed with the shapes recognised by motion and by name', async () => {
     const [face] = BARE_FACES
     await shop.run('inspect', face!.path)
     expect(shop.printed).toMatch(/\njawOpen +jawOpen +\d\.\d\d +motion and name\n/)
@@ -133,7 +133,7 @@ describe('the blendshapes of a face without wrinkles', () => {
     expect(shapes.length).toBeGreaterThan(50)
   })
 
-  it('have only their names on a mesh that is no face', async () => {
+  it('are listed by name alone on a mesh that is no face', async () => {
     await shop.run('inspect', shop.write('plain.glb', await faceBytes()), '--json')
     const { shapes } = JSON.parse(shop.printed) as { shapes: { by: string }[] }
     expect(shapes.map(({ by }) => by)).not.toContain('geometry')

@@ -1,4 +1,4 @@
-// No command overwrites a file that it reads, neither a named input nor a file referenced by it.
+// Tests that no command overwrites a file that it reads: neither an input nor a file to which an input refers.
 
 import { lstatSync, mkdirSync, readFileSync, rmSync, symlinkSync } from 'node:fs'
 import { readGlbFile } from 'furrow-files/node'
@@ -13,10 +13,10 @@ const at = (name: string) => shop.path(name)
 const FACE = at('face.glb')
 const STROKES = at('strokes.json')
 
-/** Name of a file that a face refers to, command, and its arguments for the face. */
+/** Name of a file to which the face refers, a command, and arguments that would overwrite the file. */
 type Row = [name: string, command: CommandName, args: (face: string) => string[]]
 
-/** Every command that writes files. Each output is a texture or the buffer of the input face. */
+/** A row for each output of each command. The output is a texture or the buffer of the input face. */
 const ROWS: Row[] = [
   ['a.png', 'uv', (face) => [face, '-o', at('in/a.png'), '--size', '64']],
   ['a.png', 'inspect', (face) => [face, '--sheet', at('in/a.png')]],
@@ -69,7 +69,7 @@ beforeEach(() => {
   mkdirSync(at('in'))
 })
 
-/** Writes a face with a buffer, a texture and a second buffer of this name. */
+/** Writes a face that refers to a buffer, a texture, and a second buffer with this name. */
 async function faceWith(name: string): Promise<string> {
   const { json, bin } = await readGlbFile(FACE, 'test')
   const isImage = name.endsWith('.png')
@@ -93,7 +93,7 @@ describe.each(ROWS)('%s referenced by a face', (name, command, args) => {
     expect(shop.files('in')).toEqual(before)
   })
 
-  it('is replaced with --force only if it is the named output', async () => {
+  it('is replaced with --force, but only if the command line names it as output', async () => {
     if (!(await hasForce(command))) return
     const face = await faceWith(name)
     const before = shop.files('in')
@@ -106,7 +106,7 @@ describe.each(ROWS)('%s referenced by a face', (name, command, args) => {
   })
 })
 
-it('a .gltf that replaces itself keeps its separate files for other users', async () => {
+it('a .gltf that replaces itself keeps its old separate files, which other files may use', async () => {
   const face = await faceWith('face-1.png')
   shop.write('in/face.bin', readFileSync(at('in/mesh.bin')))
   const json = JSON.parse(readFileSync(face, 'utf8'))
@@ -126,7 +126,7 @@ it('the strokes document may be in the new folder that it is drawn into', async 
   const document = shop.write('own/strokes.json', readFileSync(STROKES))
   await shop.run('strokes', document, '--face', FACE, '--into', at('own'), '--size', '64')
   expect(readFileSync(document)).toEqual(readFileSync(STROKES))
-  // A set in its own folder may be redrawn.
+  // Strokes may be drawn again into the folder that contains their document.
   await shop.run('strokes', document, '--face', FACE, '--into', at('own'), '--size', '64')
 })
 

@@ -2,7 +2,7 @@ import { encodePng } from 'furrow-files/node'
 import { expect, it } from 'vitest'
 import { encodeMapArrays } from '../../../packages/files/src/pack/ktx2-images.ts'
 
-it('heights of files with KTX 2 arrays stay images', async () => {
+it('height maps stay images in files with KTX 2 arrays', async () => {
   const size = { width: 4, height: 4 }
   const bytes = await encodePng({ ...size, channels: 3, data: new Uint8Array(48).fill(128) })
   const image = { name: 'map', mimeType: 'image/png', bytes, ...size }

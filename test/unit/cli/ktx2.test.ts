@@ -21,7 +21,7 @@ beforeAll(async () => {
   await shop.run('pack', folder, '--ktx2', '-o', packed)
 })
 
-/** Returns codes and messages of findings after `spoil` has changed the file's JSON. */
+/** Changes the JSON of the packed file by `spoil`, and returns the codes and messages of the findings. */
 async function findings(spoil: (json: Json, maps: Json) => void): Promise<string> {
   const bytes = readFileSync(packed)
   const json = jsonOf(bytes)
@@ -53,11 +53,11 @@ describe('furrow pack --ktx2', () => {
     expect(images[texture.extensions.KHR_texture_basisu.source].mimeType).toBe('image/ktx2')
   })
 
-  it("is valid, with the folder's areas except for compression loss", async () => {
+  it('makes a valid file with the areas of the folder, except for compression loss', async () => {
     await shop.run('validate', packed)
     expect(shop.printed).toBe(`${packed}: 0 errors, 0 warnings\n`)
     const report = JSON.parse(await shop.output('inspect', packed, '--json'))
-    // Two slices of 128 x 128 with 8 bits per texel, and the mipmaps of three maps of 16 x 16: 21 and some blocks.
+    // Areas: two slices of 128 x 128 with 8 bits per texel. Maps: three of 16 x 16, with 16 + 4 + 1 + 1 + 1 blocks of 16 bytes each.
     expect(report.gpu.bits8).toBe(2 * 128 * 128 + 3 * (16 + 4 + 1 + 1 + 1) * 16)
     expect(report.areas.map(({ name }: Json) => name)).toEqual(AREAS)
     const out = shop.path('unpacked')
@@ -68,7 +68,7 @@ describe('furrow pack --ktx2', () => {
     }
   })
 
-  it('gives the same JSON when repacking an unpacked face', async () => {
+  it('makes the same JSON when a face is unpacked and packed again', async () => {
     const [first, again] = [shop.path('first'), shop.path('again.glb')]
     await shop.run('unpack', packed, '-o', first)
     await shop.run('pack', first, '--ktx2', '-o', again)
@@ -77,14 +77,14 @@ describe('furrow pack --ktx2', () => {
     await shop.run('unpack', again, '-o', second)
     const documents = ['first', 'second'].map((name) => shop.files(name)['wrinkles.json'])
     expect(documents[1]).toBe(documents[0])
-    // A second encoding hardly changes the result.
+    // The second encoding changes weights only slightly.
     for (const area of AREAS) {
       const [before, after] = [first, second].map((at) => `${at}/areas/${area}.png`)
       expect(furthest(await pixels(before), await pixels(after)), area).toBeLessThanOrEqual(6)
     }
   })
 
-  it('leaves nothing of its arrays in a face that is unpacked or repacked', async () => {
+  it('leaves no data of its arrays in a face that is unpacked or packed again', async () => {
     const out = shop.path('bare')
     await shop.run('unpack', packed, '-o', out)
     expect(jsonOf(readFileSync(`${out}/face.glb`))).toEqual(jsonOf(await faceBytes()))
@@ -92,7 +92,7 @@ describe('furrow pack --ktx2', () => {
     expect(readFileSync(shop.path('repacked.glb')).equals(readFileSync(packed))).toBe(true)
   })
 
-  it('survives dedup, prune and WebP', async () => {
+  it('makes files that survive dedup, prune and conversion to WebP', async () => {
     const io = new NodeIO().registerExtensions([...ALL_EXTENSIONS, FurrowWrinkleMaps])
     const document = await io.read(packed)
     await document.transform(dedup(), prune(), textureCompress({ encoder: sharp, targetFormat: 'webp' }))
@@ -112,7 +112,7 @@ describe('furrow pack --ktx2', () => {
     }
   })
 
-  it('scales maps, normals as vectors', async () => {
+  it('scales maps, and normals keep length 1', async () => {
     const out = shop.path('small.glb')
     await shop.run('pack', folder, '--size', '8', '-o', out)
     const small = shop.path('small')
@@ -135,7 +135,7 @@ describe('furrow pack --ktx2', () => {
 })
 
 describe('furrow pack --ktx2 with unsupported input', () => {
-  it('refuses more texels than the encoder supports, in its own name', async () => {
+  it('refuses more texels than the encoder supports', async () => {
     const big = await shop.makeFolder('big')
     const flat = sharp({ create: { width: 4096, height: 4096, channels: 3, background: '#8080ff' } })
     const normal = await flat.png().toBuffer()
@@ -144,7 +144,7 @@ describe('furrow pack --ktx2 with unsupported input', () => {
     await shop.fails(message, 'pack', big, '--ktx2', '-o', shop.path('big.glb'))
   })
 
-  it('refuses a number of areas per image, which arrays lack', async () => {
+  it('refuses the option --share, because arrays share in another way', async () => {
     const args = [folder, '--ktx2', '--share', '1', '-o', shop.path('shared.glb')]
     await shop.fails("option '--ktx2' cannot be used with option '--share <count>'", 'pack', ...args)
   })

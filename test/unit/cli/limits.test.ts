@@ -23,7 +23,7 @@ beforeAll(async () => {
 
 const FILE_BYTES = 4000
 
-/** Returns the problem of the face after a change of its JSON. */
+/** Changes the JSON of the face, and returns the problem that the checks find. */
 function problem(change: (json: Anything) => unknown): string | undefined {
   const json = jsonOf(face)
   change(json)
@@ -54,7 +54,7 @@ describe('numbers are checked before anything is decoded', () => {
   })
 
   const mesh = ({ meshes }: Anything) => meshes[0].primitives[0]
-  /** Adds primitives of one accessor that claims a count without bytes. */
+  /** Adds a primitive to the mesh several times. */
   const repeat = (json: Anything, times: number, primitive: object) =>
     json.meshes[0].primitives.push(...Array(times).fill(primitive))
   const claim = (json: Anything, componentType: number, type: string, count: number) =>
@@ -80,7 +80,7 @@ describe('numbers are checked before anything is decoded', () => {
     [
       'integers of 32 bits that are normalized',
       ({ accessors: [a] }) => Object.assign(a, { componentType: 5125, normalized: true }),
-      'accessors[0] is normalized',
+      'accessors[0] has normalized 32-bit integers',
     ],
     [
       'an offset that is not aligned',
@@ -112,7 +112,11 @@ describe('numbers are checked before anything is decoded', () => {
       ({ nodes }) => nodes.push({ children: [0] }, { children: [0] }),
       'two parents',
     ],
-    ['a mesh that does not exist', ({ nodes }) => (nodes[0].mesh = 9), 'nodes[0].mesh is 9, of 2'],
+    [
+      'a mesh that does not exist',
+      ({ nodes }) => (nodes[0].mesh = 9),
+      'nodes[0].mesh is 9, but the list has 2 items',
+    ],
     [
       'an accessor that does not exist',
       (json) => (mesh(json).targets[0].NORMAL = 99),
@@ -141,7 +145,7 @@ describe('numbers are checked before anything is decoded', () => {
         (mesh(json).extensions = {
           KHR_draco_mesh_compression: { bufferView: 0, attributes: { COLOR_0: 0 } },
         }),
-      "meshes[0].primitives[0] has COLOR_0 only in Draco's attributes",
+      'meshes[0].primitives[0] lists COLOR_0 only in its Draco extension',
     ],
     [
       'an extension that is required and not listed',
@@ -158,7 +162,7 @@ describe('numbers are checked before anything is decoded', () => {
   })
 
   it("accepts zstandard data only of the size given by the image's header", () => {
-    // RFC 8878, 3.1.1.1: a single segment with a content size of four bytes.
+    // Header of a Zstandard frame that declares its decoded size in four bytes (RFC 8878, 3.1.1.1).
     const frame = Uint8Array.of(0x28, 0xb5, 0x2f, 0xfd, 0xa0, 0, 0, 0, 0x40, ...Array(16).fill(0))
     expect(() => checkContentSize(frame, 2 ** 30)).not.toThrow()
     expect(() => checkContentSize(frame, 64)).toThrow('it has 1073741824 bytes instead of 64')
@@ -192,7 +196,7 @@ describe('commands refuse in one line', () => {
       await shop.fails('no triangles', 'bake', ...files, '-o', shop.path('out.png'))
   })
 
-  it('few triangles listed many times, and blendshapes listed many times', async () => {
+  it('few triangles or blendshapes that are listed many times', async () => {
     const { json, bin } = splitGlb(Buffer.from(await sheetGlb(sheet(16))))
     const { primitives } = json.meshes[0]
     const hostile = (times: number, targets: number) => {
@@ -206,7 +210,7 @@ describe('commands refuse in one line', () => {
     await shop.fails(product, 'auto', hostile(20, 1200), ...out)
   })
 
-  it('hundreds of thousands of triangles times blendshapes in few bytes, by their counts', async () => {
+  it('too many triangles times blendshapes for the size of the file', async () => {
     const json = jsonOf(Buffer.from(await sheetGlb(sheet(4))))
     const [primitive] = json.meshes[0].primitives
     primitive.targets = Array(15).fill(primitive.targets[0])
@@ -217,7 +221,7 @@ describe('commands refuse in one line', () => {
     expect(check(8_000_000)).not.toThrow()
   })
 
-  it('images in unsupported formats, by their first bytes', async () => {
+  it('images in unsupported formats, which their first bytes reveal', async () => {
     const svg = Buffer.from('<svg xmlns="http://www.w3.org/2000/svg" width="64" height="64"/>')
     const gif = await sharp(flatPng(64, 64)).gif().toBuffer()
     const message = 'unsupported image format'
@@ -231,7 +235,7 @@ describe('commands refuse in one line', () => {
     }
   })
 
-  it('a corrupt image, by its name', async () => {
+  it('a corrupt image, with its name', async () => {
     const parts = splitGlb(readFileSync(shop.path('packed.glb')))
     const { bufferView, name } = parts.json.images[4]
     const { byteOffset, byteLength } = parts.json.bufferViews[bufferView]

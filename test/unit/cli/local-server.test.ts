@@ -9,7 +9,7 @@ import { HOSTILE_BYTES, HOSTILE_PATHS, request, send, statusOf } from '../../hos
 const folder = mkdtempSync(join(tmpdir(), 'furrow-server-'))
 const SECRET = 'not to be served'
 let server: LocalServer
-/** Path prefix of every URL. */
+/** Address of the server, including the secret path. */
 let base: string
 
 beforeAll(async () => {
@@ -48,7 +48,7 @@ test.each(HOSTILE_PATHS.map((path) => [path.slice(0, 40), path]))('GET %s is ref
 })
 
 test.each(HOSTILE_BYTES.map((bytes, i) => [i, bytes] as const))(
-  'the bytes of number %d do not end the server',
+  'the server continues after the invalid request number %d',
   async (_, bytes) => {
     expect(await send(server.origin, bytes)).not.toMatch(/^HTTP\/1\.1 [23]/)
     await expectAlive()
@@ -67,7 +67,7 @@ test('nothing is served without the secret', async () => {
   expect(statusOf(await request(server.origin, `${base.slice(0, -1)}g/page/index.html`))).toBe(404)
 })
 
-test('other host names, which other sites can point here, are refused', async () => {
+test('requests with another host name are refused, because other sites can point a name to this address', async () => {
   for (const host of ['elsewhere.example', 'localhost', '127.0.0.1', '']) {
     expect(
       statusOf(await request(server.origin, `${base}/page/index.html`, { host })),
@@ -92,7 +92,7 @@ test('only offered files are served, unchanged', async () => {
   expect(pathToFileURL(path).pathname).toContain('%23')
 })
 
-test('an inbox accepts one picture of the right length', async () => {
+test('an inbox accepts one picture, and only with the right length', async () => {
   const inbox = server.inbox(8)
   const post = async (body: string) => (await fetch(inbox.address, { method: 'POST', body })).status
   expect(await post('short')).toBe(413)

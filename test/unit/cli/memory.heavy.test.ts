@@ -16,7 +16,7 @@ const MAX_SECONDS = 10
 const shop = new Workshop()
 let runner = ''
 let folder = ''
-/** RGBA image of 8192 x 8192 texels. */
+/** PNG file of an RGBA image with 8192 x 8192 texels. */
 let colours: Buffer
 
 beforeAll(async () => {
@@ -30,12 +30,12 @@ beforeAll(async () => {
   await shop.run('pack', folder, '--ktx2', '-o', shop.path('packed-array.glb'))
 })
 
-/** Runs a command in a separate process. */
+/** Runs a command in a separate process, and returns its memory, time and error. */
 function cost(...parameters: string[]): RunCost {
   return JSON.parse(execFileSync(process.execPath, [runner, ...parameters], { encoding: 'utf8' }))
 }
 
-/** Returns a packed face with all images replaced. */
+/** Returns a packed face in which `change` has replaced all images. */
 function withImages(name: string, change: (bytes: Buffer) => Buffer): string {
   let parts = splitGlb(readFileSync(shop.path(name)))
   for (const image of parts.json.images.keys()) {
@@ -47,7 +47,7 @@ function withImages(name: string, change: (bytes: Buffer) => Buffer): string {
 
 const png = (side: number) => () => flatPng(side, side)
 
-/** Changes the size in the header of a KTX 2 image. */
+/** Returns a function that changes the size in the header of a KTX 2 image. */
 const ktx2 = (side: number, layers?: number) => (bytes: Buffer) => {
   const out = Buffer.from(bytes)
   out.writeUInt32LE(side, 20)

@@ -25,7 +25,7 @@ describe('a file system error', () => {
     expect(cannotRead(WHO, 'x', errno(code)).message).toBe(message)
   })
 
-  it("has the file's remedy only if the file is missing", () => {
+  it('has the remedy for a missing file only if the file is missing', () => {
     const hints = { remedy: 'put it beside the face' }
     expect(cannotRead(WHO, 'x', errno('ENOENT'), hints).message).toMatch(/; put it beside the face$/)
     expect(cannotRead(WHO, 'x', errno('EACCES'), hints).message).toMatch(/; ask its owner/)
@@ -97,7 +97,7 @@ describe('a file that is not glTF', () => {
     expect(error.remedy).toMatch(remedy)
   })
 
-  it('must be downloaded again if incomplete, or older than glTF 2', async () => {
+  it('has a remedy if it is incomplete, or older than glTF 2', async () => {
     const intact = await faceBytes()
     const problemOf = (bytes: Uint8Array) =>
       readGlbFile(shop.write('part.glb', bytes), WHO).catch(({ message }: Error) => message)
@@ -109,9 +109,9 @@ describe('a file that is not glTF', () => {
     expect(await problemOf(intact)).toMatch(/it has version 1.*; download or export it again$/)
   })
 
-  it('is not named if its format is unknown', () => {
+  it('has no special message if its format is unknown', () => {
     expect(otherFormat(Buffer.from([1, 2, 3, 4]))).toBeUndefined()
-    // Patterns must also be fast.
+    // The patterns must also be fast on unfavourable text.
     expect(otherFormat(Buffer.from(`${'# '.repeat(10_000)}`))?.problem).toBe('it is text, not glTF')
   })
 })
@@ -148,7 +148,7 @@ describe('another kind of file', async () => {
     await shop.fails(message, command, ...args)
   })
 
-  it('in a folder to pack leads to naming the folder', async () => {
+  it('in a folder to pack gives an error that names the folder', async () => {
     const folder = await shop.makeFolder('named')
     const document = shop.json('named/wrinkles.json', {})
     await shop.fails(`; name its folder, ${folder}`, 'pack', document, '-o', shop.path('x.glb'))
@@ -204,14 +204,14 @@ describe('printed text', () => {
     stderr.mockRestore()
   })
 
-  it('is one line per line', () => {
+  it('has one message per line', () => {
     print(['one\ntwo', 'three'])
     warn('four\nfive')
     expect(shop.printed).toBe('one\\u000atwo\nthree\n')
     expect(shop.warned).toBe('four\\u000afive\n')
   })
 
-  it('of a file with hostile names is harmless', async () => {
+  it('shows hostile names from a file harmlessly', async () => {
     const folder = await shop.makeFolder('hostile')
     shop.write(
       'hostile/face.glb',

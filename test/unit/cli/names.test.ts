@@ -6,7 +6,7 @@ import { faceBytes, painted, stillTeeth, Workshop, wrinklesIn } from './workshop
 
 const shop = new Workshop()
 
-/** Legal names that no file can have, or that some file system considers equal. */
+/** Valid names of areas that no file can have, or that some file systems consider equal. */
 const UNUSUAL_NAMES = [
   '額'.repeat(84),
   'x'.repeat(256),
@@ -43,7 +43,7 @@ beforeAll(async () => {
 })
 
 describe('names of areas and layers', () => {
-  it('survive packing and unpacking, whatever they are', async () => {
+  it('survive packing and unpacking, also if unusual', async () => {
     await shop.run('unpack', shop.path('one.glb'), '-o', shop.path('folder'))
     await shop.run('pack', shop.path('folder'), '-o', shop.path('two.glb'))
     const [one, two] = ['one.glb', 'two.glb'].map((name) => readFileSync(shop.path(name)))
@@ -53,7 +53,7 @@ describe('names of areas and layers', () => {
     expect(two.equals(one)).toBe(true)
   })
 
-  it('are found in file names with URL characters', async () => {
+  it('are found in file names with characters that URLs escape', async () => {
     shop.write('signs/face.glb', await faceBytes())
     shop.write('signs/layers/50%/normal.png', await noise(1))
     shop.write('signs/areas/a#b.png', await painted(1))
@@ -81,7 +81,7 @@ describe('names of areas and layers', () => {
 })
 
 describe('the wrinkled mesh', () => {
-  it('is stored in the folder that a face is unpacked to', async () => {
+  it('is named in the folder to which a face is unpacked', async () => {
     const folder = await shop.makeFolder('two')
     shop.write('two/face.glb', await faceBytes(['left', 'right']))
     await shop.run('pack', folder, '--mesh', 'right', '-o', shop.path('right.glb'))
@@ -105,7 +105,7 @@ describe('the wrinkled mesh', () => {
     expect(wrinklesIn(shop.path('1.glb'), 1)).toBeDefined()
   })
 
-  it('is by default the mesh that blendshapes move most', async () => {
+  it('is the mesh that blendshapes move most, if none is named', async () => {
     const folder = await shop.makeFolder('moved')
     shop.write('moved/face.glb', await stillTeeth())
     await shop.run('pack', folder, '-o', shop.path('moved.glb'))

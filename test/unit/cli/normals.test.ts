@@ -8,25 +8,26 @@ import { bench } from './workshop.ts'
 const at = bench('normals')
 const { file, run } = at
 
-/** Width of the picture, and height of white above black, millimetres; x to the right, y up, from the middle. */
+/** Width of the picture, millimetres. Positions are relative to its centre, y up. */
 const WIDE = 100
+/** Height difference between black and white, millimetres. */
 const DEEP = 20
 const SIDE = 257
 
-/** Analytic heights, 0 to 20 mm, and exact normals, not normalised. `inside` leaves out points without a normal. */
+/** Heights, 0 to 20 mm, and their exact normals, not normalised. `inside` is false at points without a normal. */
 const SHAPES = {
   plane: {
     height: (x: number, y: number) => 10 + 0.12 * x - 0.05 * y,
     normal: (): Vector => [-0.12, 0.05, 1],
     inside: () => true,
   },
-  // Spherical cap of radius 60 mm and height 15 mm. Its rim has two normals.
+  // A spherical cap with a radius of 60 mm and a height of 15 mm. Its rim has no unique normal.
   cap: {
     height: (x: number, y: number) => Math.max(Math.sqrt(3600 - x * x - y * y) - 45, 0),
     normal: (x: number, y: number): Vector => [x, y, Math.sqrt(3600 - x * x - y * y)],
     inside: (x: number, y: number) => Math.hypot(x, y) < 38.5,
   },
-  // Two waves across and three down, so it tiles.
+  // Two waves across and three down, so that the picture repeats without seams.
   sine: {
     height: (x: number, y: number) => 10 + 4 * Math.sin(2 * WAVE * x + 1) + 5 * Math.cos(3 * WAVE * y),
     normal: (x: number, y: number): Vector => [
@@ -51,12 +52,12 @@ async function writeHeight(path: string, height: (x: number, y: number) => numbe
   )
   const data = bits === 16 ? Uint16Array.from(values) : Uint8Array.from(values)
   const image = sharp(data, { raw: { width: side, height: side, channels: 1 } })
-  // Without explicit compression sharp would write the TIFF as 8-bit JPEG.
+  // Sets the compression, because by default sharp writes a TIFF with 8-bit JPEG.
   if (path.endsWith('.tif')) image.tiff({ compression: 'lzw' })
   await image.toColourspace(bits === 16 ? 'grey16' : 'b-w').toFile(path)
 }
 
-/** Decodes a map to unit normals with y up, for either convention. */
+/** Decodes a normal map to unit normals with y up. `green` is the direction of the green channel: `up` or `down`. */
 async function readNormals(path: string, green: string): Promise<Vector[]> {
   const { values, channels, full } = await readPixels(path)
   expect(channels).toBe(3)
@@ -76,7 +77,7 @@ async function worst(path: string, shape: (typeof SHAPES)[keyof typeof SHAPES], 
   return Math.max(...angles)
 }
 
-/** Makes one texel of 32-bit floating point, like sculpting programs (TIFF 6.0, section 2). */
+/** Makes a TIFF with one texel of 32-bit floating point, as sculpting programs write (TIFF 6.0, section 2). */
 function floatTiff(): Uint8Array {
   const tags = [
     [256, 1],
@@ -135,7 +136,7 @@ describe('furrow normals', () => {
     },
   )
 
-  it('reads 16-bit TIFF, and accepts the strength in texels too', async () => {
+  it('reads 16-bit TIFF, and accepts the strength in texels instead of millimetres', async () => {
     const texels = (DEEP / WIDE) * SIDE
     await run(file('sine.tif'), '-o', file('tif.png'), '--strength', `${texels}`, '--edges', 'wrap')
     expect(await worst(file('tif.png'), SHAPES.sine, 'up')).toBeLessThan(0.4)
@@ -158,7 +159,7 @@ describe('furrow normals', () => {
     expect(degreesBetween(mean, SHAPES.plane.normal())).toBeLessThan(0.5)
   })
 
-  it('inverts bumps with a negative strength', async () => {
+  it('turns bumps into dents with a negative strength', async () => {
     await run(file('small.png'), '-o', file('out.png'), '--strength', '4')
     await run(file('small.png'), '-o', file('in.png'), '--strength', '-4')
     const [out] = await readNormals(file('out.png'), 'up')

@@ -28,7 +28,7 @@ const at = (name: string) => shop.path(name)
 
 type Outputs = [name: CommandName, extension: string, args: (outputs: string[]) => string[]]
 
-/** Every command that writes, with its arguments for outputs in their usual order. */
+/** Every command that writes files, with a function that returns its arguments for one or two outputs. */
 const COMMANDS: Outputs[] = [
   ['array', 'ktx2', ([o]) => [at('tile.png'), '-o', o]],
   ['auto', 'glb', ([o]) => [FACE, '-o', o, '--replace']],
@@ -74,7 +74,7 @@ describe('an output', () => {
     expect(fileProblem(kind(false, false))).toBe('it is a device, pipe or socket')
   })
 
-  it('is written to the target if it is a link', async () => {
+  it('is written to the target of a symbolic link', async () => {
     shop.write('links/real.png', 'old')
     symlinkSync('real.png', at('links/one.png'))
     symlinkSync(at('links/one.png'), at('links/two.png'))
@@ -89,7 +89,7 @@ describe('an output', () => {
     expect(readdirSync(at('links'))).toEqual(['dangling.png', 'later', 'one.png', 'real.png', 'two.png'])
   })
 
-  it('is refused if it is a circle of links', async () => {
+  it('is refused if symbolic links form a circle', async () => {
     symlinkSync('b.png', at('a.png'))
     symlinkSync('a.png', at('b.png'))
     await expect(checkOutputs([at('a.png')], WHO)).rejects.toThrow(/its symbolic links form a cycle/)
@@ -110,7 +110,7 @@ describe('an output', () => {
     },
   )
 
-  it('of strokes is compared with the areas too', async () => {
+  it('of strokes must also differ from the area files', async () => {
     const args = [STROKES, '--face', FACE, '--areas', at('areas'), '-o', at('areas/nose.png')]
     await shop.fails('two outputs are the same file', 'strokes', ...args)
   })
@@ -137,7 +137,7 @@ describe('an input', () => {
     expect(forced.message).not.toContain('is the input')
   })
 
-  it('is recognised by any name', async () => {
+  it('is recognised by any of its names, such as links', async () => {
     const path = await precious('named/in.png')
     linkSync(path, at('named/hard.png'))
     symlinkSync('in.png', at('named/soft.png'))
@@ -147,7 +147,7 @@ describe('an input', () => {
     }
   })
 
-  it('in a .gltf is not replaced by parts of another', async () => {
+  it('to which a .gltf refers is not replaced by a part of the output', async () => {
     await shop.run('pack', at('face'), '-o', at('split/a.gltf'))
     const json = readFileSync(at('split/a.gltf'), 'utf8')
     shop.write('split/b.gltf', json)
@@ -171,7 +171,7 @@ async function validatorErrors(name: string): Promise<string[]> {
 }
 
 describe('a face', () => {
-  it('is written in the format of its name, and is the same face', async () => {
+  it('is written in the format of the file name, with the same content', async () => {
     for (const name of ['out.glb', 'out.vrm', 'OUT.GLTF']) {
       await shop.run('pack', at('face'), '-o', at(`kinds/${name}`))
       expect(shop.printed).toContain(`${at(`kinds/${name}`)}: material "skin"`)
@@ -213,7 +213,7 @@ describe('stdout', () => {
     expect(isStdout(path)).toBe(true)
   })
 
-  it('is one output', async () => {
+  it('can be used for only one output', async () => {
     await expect(checkOutputs(['-', '/dev/stdout'], WHO)).rejects.toThrow(/two outputs are the same file/)
   })
 })
@@ -236,7 +236,7 @@ describe('files are written all or not at all', () => {
     expect(shop.files('full')).toEqual({ 'mine.txt': Buffer.from('x').toString('base64') })
   })
 
-  it('also with the longest names', async () => {
+  it('also if their names have the maximum length', async () => {
     const name = `${'n'.repeat(251)}.png`
     await checkOutputs([at(name)], WHO)
     await writeAll([{ path: at(name), bytes: await noise(1) }], WHO)

@@ -70,7 +70,7 @@ describe('furrow pack', () => {
     expect(document.areas[3]).toEqual({ name: 'eye', image: 'areas/eye.png', convention: 'weight' })
     const white = await grayOf(shop.path('w/areas/eye.png'))
     expect(white).toEqual(await weights(`${folder}/areas/eye.png`))
-    // The same images without their document. The option tells how they are painted.
+    // The folder has the same images and no document, so the option tells what black means.
     shop.write('plain/layers/x/normal.png', await noise(1))
     shop.write('plain/areas/eye.png', readFileSync(shop.path('w/areas/eye.png')))
     const args = [shop.path('plain'), '--face', `${folder}/face.glb`, '-o', shop.path('p.glb')]
@@ -138,7 +138,7 @@ describe('furrow pack', () => {
     expect(await sharp(shop.path('s/areas/nose.png')).metadata()).toMatchObject({ width: 32, height: 32 })
   })
 
-  it('makes files whose wrinkles survive a glTF-Transform script', async () => {
+  it('makes files whose wrinkles survive transforms of glTF-Transform', async () => {
     await shop.run('pack', folder, '-o', shop.path('a.glb'))
     const io = new NodeIO().registerExtensions([...ALL_EXTENSIONS, FurrowWrinkleMaps])
     const document = await io.read(shop.path('a.glb'))
@@ -165,7 +165,9 @@ describe('furrow pack', () => {
     })
     shop.write('odd/areas/zero.png', await painted(99))
     await shop.run('pack', odd, '-o', shop.path('warned.glb'))
-    expect(shop.warned).toContain('target "noseSneer" of a driver of area "nose" does not exist; it is kept')
+    expect(shop.warned).toContain(
+      'target "noseSneer" of a driver of area "nose" does not exist; the reference to it is kept',
+    )
     expect(shop.warned).toContain('area "zero" is empty')
     expect(wrinklesIn(shop.path('warned.glb')).drivers[0].targets[0].name).toBe('noseSneer')
     expect(wrinklesIn(shop.path('warned.glb')).areas.at(-1).name).toBe('zero')
@@ -205,7 +207,7 @@ describe('furrow pack with invalid input', () => {
     [
       'heights that no layer has an amplitude for',
       async (at) => shop.write(`${at}/layers/age/height.png`, await noise(1)),
-      'layers/age/height.png requires heightAmplitude of its layer, missing in wrinkles.json, allowed: metres from black to white',
+      'layers/age/height.png requires heightAmplitude, which its layer in wrinkles.json lacks, allowed: metres from black to white',
     ],
     [
       'an image cut off',

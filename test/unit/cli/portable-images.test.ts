@@ -50,7 +50,7 @@ describe('an image header, read without a decoder', () => {
     expect(headerOf(bytes, `image/${format}` as 'image/png')).toEqual({ width, height, texelBytes })
   })
 
-  it('is undefined for a JPEG without a frame, and in other formats', async () => {
+  it('is undefined for a JPEG without a frame header, and for other formats', async () => {
     expect(headerOf(Uint8Array.of(0xff, 0xd8, 0xff, 0xd9), 'image/jpeg')).toBeUndefined()
     expect(headerOf(await rgb().webp().toBuffer(), 'image/webp')).toBeUndefined()
   })
@@ -64,7 +64,7 @@ describe('a portable PNG', () => {
     expect([...toRgba(await decodeImage(bytes, 'x', 'test'))]).toEqual([...toRgba(image)])
   })
 
-  it("of areas is hardly larger than libvips's", async () => {
+  it('of an area is hardly larger than one written by libvips', async () => {
     let [own, others] = [0, 0]
     for (const name of readdirSync(AREAS)) {
       const { data, info } = await sharp(readFileSync(AREAS + name))
@@ -80,8 +80,8 @@ describe('a portable PNG', () => {
 })
 
 describe('scaling', () => {
-  it.each([20, 100])('to %d texels nearly equals libvips', async (size) => {
-    // Smooth, because libvips computes in integers.
+  it.each([20, 100])('to %d texels gives nearly the result of libvips', async (size) => {
+    // The image is smooth, because libvips computes with integers. On rough images its rounding errors are larger.
     const smooth = await sharpOf(noise(50, 40, 3))
       .blur(2)
       .raw()

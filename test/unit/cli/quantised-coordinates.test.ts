@@ -23,17 +23,17 @@ beforeAll(async () => {
   bytes = await (await anyIO()).writeBinary(document)
 })
 
-/** Returns the largest distance from the plain face's coordinates. */
+/** Returns the largest difference from the texture coordinates of the unchanged face. */
 const apart = (uvs: ArrayLike<number>) =>
   plain.reduce((most, value, i) => Math.max(most, Math.abs(value - uvs[i]!)), 0)
 
-it('coordinates dequantised only by the base colour are read with its transform', async () => {
+it('quantised texture coordinates are read with the transform of the base colour, if no other map has one', async () => {
   const { skin } = findSkin(await (await anyIO()).readBinary(bytes), 'face.glb', 'test', 'skin')
   expect(skin.uvs).toHaveLength(plain.length)
   expect(apart(skin.uvs)).toBeLessThan(1 / 4000)
 })
 
-it('three.js reads them with a flat normal map of the same transform', async () => {
+it('three.js reads them through a flat normal map with the same transform', async () => {
   const gltf = await loadInNode(bytes)
   const face = facesOf(gltf, gltf.parser).find(([{ name }]) => name === 'skin')!
   addFlatNormalMap(face)
@@ -42,7 +42,7 @@ it('three.js reads them with a flat normal map of the same transform', async () 
   expect(apart(skinOf(readMeshes(face)).uvs)).toBeLessThan(1 / 4000)
 })
 
-it('a file that gets wrinkles gets a flat normal map with that transform', async () => {
+it('a file that gets wrinkles also gets a flat normal map with this transform', async () => {
   const folder = await shop.makeFolder('set')
   shop.write('set/face.glb', bytes)
   await shop.run('pack', folder, '--mesh', 'skin', '-o', shop.path('out.glb'))

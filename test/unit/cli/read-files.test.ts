@@ -81,7 +81,7 @@ describe('a file with separate parts', () => {
     expect((await readGlbFile(shop.write(`kinds/${name}`, data), WHO)).fileBytes).toBe(data.length)
   })
 
-  it('may store them as data URIs', async () => {
+  it('may store its parts as data URIs', async () => {
     const { json, resources } = await apart(await faceBytes())
     for (const item of [...json.buffers!, ...json.images!]) {
       item.uri = `data:application/octet-stream;base64,${Buffer.from(resources[item.uri!]).toString('base64')}`
@@ -101,7 +101,7 @@ describe('a file with separate parts', () => {
     },
   )
 
-  it('stores a file once that it refers to several times', async () => {
+  it('stores a file only once if it refers to it several times', async () => {
     const path = await writeApart('twice')
     const once = (await readGlbFile(path, WHO)).bin.length
     const again = await writeApart('twice', (json) => {
@@ -111,7 +111,7 @@ describe('a file with separate parts', () => {
     expect((await readGlbFile(again, WHO)).bin.length).toBe(once)
   })
 
-  it('keeps the fallback buffers of compressed meshes', async () => {
+  it('keeps buffers without data that are fallbacks of compressed meshes', async () => {
     const path = await writeApart('fallback', (json) => {
       const [view] = json.bufferViews!
       const fallback = json.buffers!.unshift({ byteLength: view.byteLength }) && 0
@@ -215,7 +215,7 @@ describe('files outside the folder', () => {
     expect(Buffer.from(bin).includes(readFileSync(secret))).toBe(true)
   })
 
-  it('look the same to the reader whether or not they exist', async () => {
+  it('give the same error whether or not they exist', async () => {
     await expect(readGlbFile(await withImage('../nothing.png'), WHO)).rejects.toThrow(/outside its folder/)
   })
 

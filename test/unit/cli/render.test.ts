@@ -7,7 +7,7 @@ import { bench } from './workshop.ts'
 const FACE = 'faces/human.glb'
 const { file, fails } = bench('render')
 
-/** Checks before the browser starts. The tests of pages check rendering. */
+/** Tests the checks before the browser starts. Tests in `test/pages` check the pictures. */
 describe('furrow render refuses', () => {
   beforeAll(() => {
     const put = (name: string, content: string | Uint8Array) => writeFileSync(file(name), content)
@@ -45,7 +45,7 @@ describe('furrow render refuses', () => {
     ['an unknown blendshape', [FACE, '--set', 'jawOpenn=1'], /unknown blendshape, got "jawOpenn"/],
     ['an unknown area', [FACE, '--activation', 'chin=1'], /unknown area, got "chin"/],
   ])('%s', async (_, asked, message) => {
-    // No option follows, so that a list of weights ends correctly.
+    // The output comes last, to end a list of weights.
     await fails(message, ...asked, '-o', file('x.png'))
   })
 })

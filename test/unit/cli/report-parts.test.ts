@@ -19,7 +19,7 @@ const made = (...targets: string[]) => ({
 })
 
 describe('poses', () => {
-  test('have the targets as named by the face, including halves', () => {
+  test("use the face's names of blendshapes, including those of left and right halves", () => {
     const poses = posesOf(
       made('browInnerUp_L', 'browInnerUp_R', 'BrowOuterUp.L', 'brow_outer_up_right', 'jawOpen'),
     )
@@ -38,13 +38,13 @@ describe('poses', () => {
     ])
   })
 
-  test('leave out expressions without their required shapes, and keep those without optional ones', () => {
+  test('leave out expressions whose required shapes are missing, and keep those whose optional shapes are missing', () => {
     expect(posesOf(made('mouthSmileLeft', 'cheekSquintLeft', 'noseSneerLeft', 'noseSneerRight'))).toEqual([
       { name: 'Sneer', targets: { noseSneerLeft: 1, noseSneerRight: 1 } },
     ])
   })
 
-  test('of a body are those that crease it most', () => {
+  test('of a body are the blendshapes that wrinkle it most', () => {
     const area = (compression: number, ...links: [string, number][]) => ({
       name: 'any',
       layer: 0,
@@ -71,7 +71,7 @@ describe('poses', () => {
   })
 })
 
-test('compression has evenly spaced colours of the scale, and none where no skin is', () => {
+test('the picture of compression uses the colours of the scale, and is transparent where no skin is', () => {
   const last = COLOUR_SCALE.length - 1
   const compressions = [
     ...COLOUR_SCALE.map((_, i) => (MAX_COMPRESSION * i) / last),

@@ -11,7 +11,7 @@ import { faceBytes, Workshop } from './workshop.ts'
 const shop = new Workshop()
 const read = (name: string) => readFileSync(shop.path(name))
 
-/** Eyes, a head and hands, in this order, with the skin's material. Only the head has the driver's shape. */
+/** Makes a file with eyes, a head and hands that share a material. Only the head has the blendshape that the driver reads. */
 async function sharedFace(): Promise<Uint8Array> {
   return editGlb(await faceBytes(['eyes', 'head', 'hands']), ({ meshes, materials }) => {
     materials[0].name = 'skin'
@@ -38,12 +38,12 @@ describe('a material that a head shares with eyes and hands', () => {
     await shop.run('pack', folder, '-o', shop.path('packed.glb'))
   })
 
-  it('wrinkles only the head when three.js loads it', async () => {
+  it('shows wrinkles only on the head when three.js loads it', async () => {
     const faces = await readWrinkleMaps(await loadInNode(read('packed.glb')))
     expect(faces.map(({ meshes }) => meshes.map(({ name }) => name))).toEqual([['head']])
   })
 
-  it('is unpacked, and its activations computed, for the head', async () => {
+  it('is unpacked for the head, and so are its activations', async () => {
     await shop.run('unpack', shop.path('packed.glb'), '-o', shop.path('unpacked'))
     expect(JSON.parse(String(read('unpacked/wrinkles.json')))).toMatchObject({
       mesh: 'head',
@@ -82,7 +82,7 @@ test.each([
   expect(drivenFaces(Object.keys(meshes), measure, morph('a', 'b', 'c', 'aLeft'))).toEqual(expected)
 })
 
-test('the larger of two meshes with the same shapes comes first', () => {
+test('of two meshes with the same shapes, the larger one is chosen', () => {
   const measure = (vertices: number) => ({ targets: ['a'], vertices })
   expect(drivenFaces([3, 300], measure, morph('a'))).toEqual([300, 3])
 })

@@ -2,7 +2,7 @@ import { writeFileSync } from 'node:fs'
 import { Document, NodeIO } from '@gltf-transform/core'
 import { accessorsOf } from '../../accessors.ts'
 
-/** Sheet of skin, 300 mm a side, as arrays that tests may change. */
+/** Flat square sheet of skin, as arrays that tests may change. */
 export interface Sheet {
   positions: Float32Array<ArrayBuffer>
   uvs: Float32Array<ArrayBuffer> | undefined
@@ -10,13 +10,13 @@ export interface Sheet {
   targets: Record<string, Float32Array<ArrayBuffer>>
 }
 
-/** Side of the sheet, metres. */
+/** Width and height of the sheet, metres. */
 const SIDE = 0.3
 
 /** Fraction by which the middle of the sheet is shortened at weight 1. */
 export const PUSHED = 0.25
 
-/** Makes a sheet of n x n squares whose target `bend` compresses the middle third vertically. */
+/** Makes a sheet of n x n squares. Its blendshape `bend` compresses the middle third vertically. */
 export function sheet(n = 40): Sheet {
   const count = (n + 1) ** 2
   const positions = new Float32Array(3 * count)
@@ -40,7 +40,7 @@ export function sheet(n = 40): Sheet {
   return { positions, uvs, indices, targets: { bend } }
 }
 
-/** Makes a `.glb` of one mesh `torso` with one material. */
+/** Makes a `.glb` from a sheet, with the mesh `torso` and one material. */
 export async function sheetGlb({ positions, uvs, indices, targets }: Sheet): Promise<Uint8Array> {
   const document = new Document()
   const accessor = accessorsOf(document)
@@ -68,7 +68,7 @@ function towardsViewer(count: number): Float32Array {
   return Float32Array.from({ length: 3 * count }, (_, i) => (i % 3 === 2 ? 1 : 0))
 }
 
-/** Writes a sheet, optionally changed. Returns the path. */
+/** Writes a sheet as `.glb`, after `spoil` has changed it. Returns the path. */
 export async function writeSheet(path: string, spoil: (shape: Sheet) => void = () => {}, squares = 40) {
   const shape = sheet(squares)
   spoil(shape)

@@ -10,7 +10,7 @@ export interface Shape {
   indices: number[]
 }
 
-/** Makes a sphere of `radius` metres from an icosahedron whose triangles are split in four `cuts` times. */
+/** Makes a sphere from an icosahedron. Each triangle is split into four, `cuts` times. The radius is in metres. */
 export function icosphere(radius: number, cuts: number): Shape {
   const g = (1 + Math.sqrt(5)) / 2
   const corners = [
@@ -22,7 +22,7 @@ export function icosphere(radius: number, cuts: number): Shape {
   const points = [0, 1, 2].flatMap((turn) =>
     corners.map((c) => unit([c[(3 - turn) % 3]!, c[(4 - turn) % 3]!, c[(5 - turn) % 3]!])),
   )
-  // The icosahedron's faces are the triples of neighbouring corners, oriented outwards.
+  // Three corners that are pairwise neighbours form a face of the icosahedron. Orient it outwards.
   let faces: Vector[] = []
   const near = (i: number, j: number) => i !== j && dot(points[i]!, points[j]!) > 0.4
   for (let i = 0; i < 12; i++) {
@@ -65,9 +65,9 @@ function outwards(points: Vector[], [i, j, k]: Vector): Vector {
 }
 
 /**
- * Makes a coarse globe with u to the east and v to the south, without poles, where UVs would be ambiguous.
+ * Makes a coarse globe with u to the east and v to the south. It has no poles, because UVs would be ambiguous there.
  *
- * @param options tilt: rotation of the normals around north, radians. mirrored: u to the west.
+ * @param options `tilt`: rotation of the normals about the axis to the north, radians. `mirrored`: u points to the west.
  */
 export function globe(radius: number, columns: number, rows: number, { tilt = 0, mirrored = false } = {}) {
   const shape = {
@@ -96,7 +96,7 @@ export function globe(radius: number, columns: number, rows: number, { tilt = 0,
   return shape
 }
 
-/** Makes a rectangle from a corner along two edges, in metres, with the complete texture. */
+/** Makes a rectangle from a corner and two edges in metres. The rectangle shows the complete texture. */
 export function quad(corner: Vector, a: Vector, b: Vector): Shape {
   const normal = unit(cross(a, b))
   const at = (s: number, t: number) => corner.map((value, k) => value + s * a[k]! + t * b[k]!)
@@ -108,7 +108,7 @@ export function quad(corner: Vector, a: Vector, b: Vector): Shape {
   }
 }
 
-/** Writes shapes as meshes of a .glb, each with a node. */
+/** Writes a .glb with a mesh and a node per shape. */
 export async function writeGlb(path: string, shapes: Record<string, Shape>): Promise<void> {
   const document = new Document()
   const scene = document.createScene()

@@ -9,7 +9,7 @@ const NAME = 'FURROW_wrinkle_maps'
 const shop = new Workshop()
 const packed = shop.path('packed.glb')
 
-/** Strokes for the layers of `Workshop.makeFolder`. */
+/** Strokes document for the layers that `Workshop.makeFolder` makes. */
 const STROKES = {
   version: 1,
   scale: 100,
@@ -44,14 +44,14 @@ const STROKES = {
 
 const read = (name: string) => JSON.parse(readFileSync(shop.path(name), 'utf8'))
 
-/** Makes a folder with strokes on its layers. */
+/** Makes a folder with a strokes document. */
 async function makeFolder(name: string, strokes: unknown = STROKES): Promise<string> {
   const folder = await shop.makeFolder(name)
   shop.json(`${name}/strokes.json`, strokes)
   return folder
 }
 
-/** Returns the packed face with other strokes. */
+/** Writes a copy of the packed face with other strokes, and returns its path. */
 function withStrokes(strokes: unknown): string {
   const edited = editGlb(readFileSync(packed), ({ materials }) => {
     materials[0].extensions[NAME].strokes = strokes
@@ -81,7 +81,7 @@ describe('the strokes of a folder', () => {
     expect(JSON.stringify(wrinklesIn(again).strokes)).toBe(JSON.stringify(STROKES))
   })
 
-  it('take one line each, and furrow strokes draws them unchanged', async () => {
+  it('are unpacked with one line per stroke, and furrow strokes can draw them', async () => {
     await shop.run('unpack', packed, '-o', shop.path('lines'))
     const text = readFileSync(shop.path('lines/strokes.json'), 'utf8')
     for (const stroke of STROKES.strokes)
@@ -93,7 +93,7 @@ describe('the strokes of a folder', () => {
     expect(channels[0].min).toBeLessThan(channels[0].max)
   })
 
-  it('may have another name, given by wrinkles.json', async () => {
+  it('may be in a file with another name, which wrinkles.json states', async () => {
     const folder = await shop.makeFolder('named')
     shop.json('named/strokes.json', { not: 'read' })
     shop.json('named/lines/a b.json', STROKES)
@@ -112,7 +112,7 @@ describe('the strokes of a folder', () => {
     expect(wrinklesIn(shop.path('single.glb')).strokes).toEqual(strokes)
   })
 
-  it("replace those of the face, and are removed with the face's old wrinkles", async () => {
+  it('replace those of the face, and are removed if a set without strokes replaces the set', async () => {
     const strokes = { ...STROKES, strokes: STROKES.strokes.slice(1), areas: undefined }
     await shop.run('pack', await makeFolder('fewer', strokes), '--face', packed, '-o', shop.path('fewer.glb'))
     expect(wrinklesIn(shop.path('fewer.glb')).strokes.strokes).toHaveLength(1)
@@ -169,7 +169,7 @@ describe('the strokes of a file', () => {
       { version: 1, strokes: [{ ...STROKES.strokes[0], layer: 'x' }] },
       'strokes[0] is on an unknown layer, got "x"',
     ],
-  ])('are skipped alone if they are %s', async (kind, strokes, problem) => {
+  ])('are skipped if they are %s, and the wrinkles stay', async (kind, strokes, problem) => {
     const file = withStrokes(strokes)
     await shop.run('validate', file)
     const [warning, ...rest] = shop.printed.trimEnd().split('\n')

@@ -26,7 +26,7 @@ const DOCUMENT = {
   ],
 }
 
-/** Writes a glTF file with a sheet of 100 x 100 mm per name. The last one gets a tilted normal map. */
+/** Writes a glTF file with a sheet of 100 x 100 mm for each name. The last sheet has a normal map. */
 async function writeFace(target: string, names: string[], normalMap?: Uint8Array): Promise<void> {
   const document = new Document()
   const accessor = accessorsOf(document)
@@ -67,7 +67,7 @@ describe('furrow strokes', () => {
     expect(steps[0]).toBe(32768)
   })
 
-  it("lays the wrinkles over the mesh's normal map, which stays the same elsewhere", async () => {
+  it('combines the wrinkles with the normal map of the mesh, which stays the same elsewhere', async () => {
     const tilted = { width: 32, height: 32, channels: 3 as const, background: { r: 150, g: 120, b: 250 } }
     await writeFace(file('pores.glb'), ['eye', 'skin'], await sharp({ create: tilted }).png().toBuffer())
     await run(strokes, '--face', file('pores.glb'), '--normal', file('deep/folder/normal.png'))
@@ -80,7 +80,7 @@ describe('furrow strokes', () => {
     expect([...data.subarray(line, line + 3)]).not.toEqual([150, 120, 250])
   })
 
-  it("writes the areas in the paper's convention", async () => {
+  it('writes areas in which black is visible, as in the paper', async () => {
     await run(strokes, '--face', face, '--areas', file('areas'))
     expect(readdirSync(file('areas'))).toEqual(['brow.png'])
     const image = sharp(file('areas/brow.png'))
@@ -97,7 +97,7 @@ describe('furrow strokes', () => {
       return run(at.shop.json('lines.json', document), '--face', face, '--into', set, '--size', '64', ...args)
     }
     const setDocument = () => JSON.parse(readFileSync(inSet('wrinkles.json'), 'utf8'))
-    /** Texels of a map of 32 x 32: on the line at v = 0.5, at the second line, and off both. */
+    /** Texel indices in a map of 32 x 32: on the line at v = 0.5, on the second line, and on neither. */
     const [LINE, SECOND, OFF] = [16 * 32 + 16, 8 * 32 + 16, 28 * 32 + 16]
     const moved = (v: number) => ({
       ...DOCUMENT,
@@ -114,25 +114,46 @@ describe('furrow strokes', () => {
       expect(readdirSync(set).sort()).toEqual(['areas', 'layers', 'strokes.json', 'wrinkles.json'])
       const { layers, areas } = setDocument()
       expect(layers).toMatchObject([{ name: 'expression', kind: 'detail', bloodAmplitude: 0.35 }])
-      // The valley of 0.5 mm, made shallower by texels of 1.6 mm, is the largest height. White is equally far above the skin.
+      // The deepest valley sets the scale. It is less than 0.5 mm deep, because texels are 1.6 mm wide. White and black are
+      // equally far from the skin.
       expect(layers[0].heightAmplitude).toBeGreaterThan(0.0006)
       expect(layers[0].heightAmplitude).toBeLessThan(0.001)
       expect(areas).toEqual([{ name: 'brow', image: 'areas/brow.png' }])
       expect((await sharp(inSet('layers/expression/normal.png')).metadata()).width).toBe(64)
-      for (const map of ['height', 'occlusion', 'blood']) {
+      for (const map of ['height', 'occlusion', 'blood', 'onset']) {
         expect((await sharp(inSet(`layers/expression/${map}.png`)).metadata()).width, map).toBe(32)
       }
       const heights = await grayOf(inSet('layers/expression/height.png'))
       expect(heights[LINE]).toBeLessThan(80)
       expect(heights[OFF]).toBe(128)
       expect((await grayOf(inSet('layers/expression/occlusion.png')))[LINE]).toBeLessThan(250)
+      const onset = await grayOf(inSet('layers/expression/onset.png'))
+      expect(onset[LINE]).toBeGreaterThanOrEqual(10)
+      expect(onset[OFF]).toBe(0)
       const flat = { create: { width: 8, height: 8, channels: 3 as const, background: '#8080ff' } }
       await writeFace(file('flat.glb'), ['skin'], await sharp(flat).png().toBuffer())
       await at.shop.run('pack', set, '--face', file('flat.glb'), '-o', file('wrinkled.glb'))
       expect(at.printed).toContain('strokes: 1')
     })
 
-    it('draws the same again, byte for byte', async () => {
+    it('draws bulges as heights alone, which pack and unpack keep', async () => {
+      const bulge = { ...DOCUMENT.strokes[0], depth: -1.5, width: 40, group: 'bag' }
+      await draw({ ...DOCUMENT, strokes: [bulge, { ...bulge, depth: 0, width: 4, points: across(0.9) }] })
+      expect((await grayOf(inSet('layers/expression/height.png')))[LINE]).toBeGreaterThan(250)
+      expect((await grayOf(inSet('layers/expression/occlusion.png'))).every((open) => open === 255)).toBe(
+        true,
+      )
+      expect(new Set(await grayOf(inSet('layers/expression/blood.png'))).size).toBe(1)
+      expect(existsSync(inSet('layers/expression/onset.png'))).toBe(false)
+      const flat = { create: { width: 8, height: 8, channels: 3 as const, background: '#8080ff' } }
+      await writeFace(file('flat.glb'), ['skin'], await sharp(flat).png().toBuffer())
+      await at.shop.run('pack', set, '--face', file('flat.glb'), '-o', file('raised.glb'))
+      await at.shop.run('unpack', file('raised.glb'), '-o', file('unpacked'))
+      const { strokes } = JSON.parse(readFileSync(file('unpacked/strokes.json'), 'utf8'))
+      expect(strokes[0]).toMatchObject({ depth: -1.5, width: 40, group: 'bag' })
+    })
+
+    it('writes the same bytes when it draws again', async () => {
       await draw(DOCUMENT)
       const read = () =>
         ['wrinkles.json', 'layers/expression/blood.png'].map((name) => readFileSync(inSet(name)))
@@ -141,7 +162,7 @@ describe('furrow strokes', () => {
       expect(read()).toEqual(before)
     })
 
-    it('keeps areas, drivers, options and flushes of a set whose lines move', async () => {
+    it('keeps areas, drivers, options and blood of a set when its strokes change', async () => {
       await draw(DOCUMENT)
       const blood = await grayOf(inSet('layers/expression/blood.png'))
       expect(blood[LINE]).toBeGreaterThan(128)
@@ -198,13 +219,13 @@ describe('furrow strokes', () => {
     it('fails and writes nothing', async () => {
       const unsupported = draw(DOCUMENT, '--size', '65')
       await expect(unsupported).rejects.toThrow(
-        'the size is odd, but heights, occlusion and blood need half of it, got 65, allowed: even sizes; choose --size 66',
+        'the size is odd, but heights, occlusion and blood have half this size, got 65, allowed: even sizes; choose --size 66',
       )
       await expect(draw(DOCUMENT, '--detail')).rejects.toThrow("'--into <folder>' cannot be used with")
       expect(existsSync(set)).toBe(false)
       await draw(DOCUMENT)
       await expect(draw(DOCUMENT, '--size', '128')).rejects.toThrow(
-        /so its painted blood cannot be kept, got "?32 x 32/,
+        /so painted blood cannot be kept, got "?32 x 32/,
       )
       const before = '{ "layers": 3 }'
       writeFileSync(inSet('wrinkles.json'), before)

@@ -16,7 +16,7 @@ import { HUMAN } from './auto-variants.ts'
 // biome-ignore lint/suspicious/noExplicitAny: tests edit the JSON in ways that no type allows
 type Json = any
 
-/** Loads the edited face with three.js, without materials. */
+/** Edits the JSON of the face and loads it with three.js, without materials. */
 async function loadBare(edit: (json: Json) => void, loader = new GLTFLoader()): Promise<GLTF> {
   const bytes = editGlb(readFileSync(HUMAN), (json) => {
     for (const key of ['materials', 'textures', 'images', 'extensionsUsed', 'extensions']) delete json[key]
@@ -29,7 +29,7 @@ async function loadBare(edit: (json: Json) => void, loader = new GLTFLoader()): 
 const skinOf = ({ scene }: GLTF) => scene.getObjectByName('skin') as Mesh
 
 describe('names of blendshapes', () => {
-  it('are those of extras.targetNames', () => {
+  it('are read from extras.targetNames', () => {
     expect(namesOfTargets(['a', '', 7], 3)).toEqual(['a', '', '7'])
   })
 
@@ -75,7 +75,7 @@ describe('names that exporters write elsewhere', () => {
     expect(mesh.primitives[0]!.targets).toEqual(targets)
   })
 
-  it('do not replace those of the mesh, and are ignored if some are missing', () => {
+  it('do not replace names in the extras of the mesh, and are ignored if some are missing', () => {
     const extras = { targetNames: ['a', 'b'] }
     expect(
       targetNamesOf(read({ extras, primitives: [{ targets, extras: { targetNames: names } }] })),
@@ -95,7 +95,7 @@ describe('names that exporters write elsewhere', () => {
     )
   })
 
-  it('are found by the loader of the studio, and for wrinkles made on the page', async () => {
+  it('are used by the loader of the studio, and by automatic wrinkles on a page', async () => {
     const toPrimitives = (json: Json) => {
       for (const mesh of json.meshes) {
         for (const primitive of mesh.primitives) primitive.extras = mesh.extras

@@ -6,7 +6,7 @@ import { sheet, sheetGlb } from './sheet.ts'
 
 const [STRIP, FAN] = [5, 6]
 
-/** Returns the triangles of a sheet indexed as a strip or fan, each starting at its lowest vertex. */
+/** Returns the triangles of a sheet whose indices form a strip or fan. Each begins with its lowest vertex. */
 async function trianglesOf(squares: number, mode: number, indices: readonly number[]): Promise<string[]> {
   const file = await sheetGlb({ ...sheet(squares), indices: Uint32Array.from(indices) })
   const edited = editGlb(file, ({ meshes }) => {
@@ -30,16 +30,16 @@ function turned(indices: ArrayLike<number>): string[] {
 }
 
 describe('a skin made of', () => {
-  test('a strip has the triangles of the list, facing the same way, without those that join rows', async () => {
+  test('a strip has the triangles of the list with the same orientation, without the degenerate ones that join rows', async () => {
     const squares = 3
-    // Each row from left to right. The last vertex and the first of the next row are repeated.
+    // Each row runs from left to right. Repeated vertices at its end and at the start of the next row join the rows.
     const strip: number[] = []
     for (let row = 0; row < squares; row++) {
       const first = row * (squares + 1)
       if (row > 0) strip.push(strip.at(-1)!, first)
       for (let i = first; i <= first + squares; i++) strip.push(i, i + squares + 1)
     }
-    // Strips split squares along the other diagonal.
+    // The strip and the sheet split squares along different diagonals.
     const list = Array.from({ length: squares ** 2 }, (_, i) => i + Math.floor(i / squares)).flatMap((a) => {
       const c = a + squares + 1
       return [a, c, a + 1, a + 1, c, c + 1]
@@ -47,11 +47,11 @@ describe('a skin made of', () => {
     expect(await trianglesOf(squares, STRIP, strip)).toEqual(turned(list))
   })
 
-  test('a fan has its triangles', async () => {
+  test('a fan has the triangles around its first vertex', async () => {
     expect(await trianglesOf(1, FAN, [0, 2, 3, 1])).toEqual(turned([0, 2, 3, 0, 3, 1]))
   })
 
-  test('millions of strips is refused', async () => {
+  test('millions of strips are refused', async () => {
     const many = Array.from({ length: 4_000_001 }, (_, i) => i % 4)
     await expect(trianglesOf(1, STRIP, many)).rejects.toThrow(/strips and fans have more than 4,000,000/)
   })

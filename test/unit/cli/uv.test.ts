@@ -10,12 +10,14 @@ const shop = new Workshop()
 const avatar = async () => shop.write('avatar.glb', await stillTeeth())
 
 describe('furrow uv', () => {
-  it('draws the layout of the mesh that auto would choose, transparent outside the islands', async () => {
+  it('draws the UV layout of the mesh that furrow auto would choose, transparent outside the islands', async () => {
     await shop.run('uv', await avatar(), '-o', shop.path('uv.png'), '--size', '64')
-    expect(shop.printed).toContain('uv.png: 64 x 64, mesh "head", material "head" (100% of what brows')
+    expect(shop.printed).toContain(
+      'uv.png: 64 x 64, mesh "head", material "head" (100% of the motion of brows',
+    )
     const { data, info } = await sharp(shop.path('uv.png')).raw().toBuffer({ resolveWithObject: true })
     expect(info).toMatchObject({ width: 64, height: 64, channels: 4 })
-    // The triangle's corners are (0, 1), (1, 1) and (0, 0).
+    // The UVs of the triangle are (0, 1), (1, 1) and (0, 0).
     const alpha = (x: number, y: number) => data[4 * (64 * y + x) + 3]
     expect(alpha(16, 48)).toBe(255)
     expect(alpha(48, 16)).toBe(0)
@@ -60,7 +62,7 @@ describe('furrow inspect of a face without wrinkles', () => {
     expect(shop.printed).toContain(`furrow auto "${path}" -o wrinkled.glb`)
   })
 
-  it('explains why auto cannot make any', async () => {
+  it('explains why furrow auto cannot make wrinkles', async () => {
     const without = async (name: string, part: 'targets' | 'attributes') => {
       const edited = editGlb(await faceBytes(), ({ meshes }) => {
         for (const { primitives } of meshes) {
@@ -75,7 +77,7 @@ describe('furrow inspect of a face without wrinkles', () => {
     expect(await without('bare.glb', 'attributes')).toContain('unwrap the face first')
   })
 
-  it('draws its skin and UV layout as a sheet', async () => {
+  it('draws its skin and UV layout into one picture', async () => {
     await shop.run('inspect', await avatar(), '--sheet', shop.path('sheet.png'))
     expect(shop.printed).toMatch(/sheet\.png: the skin and its UV layout\n$/)
     const { width, height } = await sharp(readFileSync(shop.path('sheet.png'))).metadata()

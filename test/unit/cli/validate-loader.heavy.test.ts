@@ -11,7 +11,7 @@ import { mutate } from '../gltf/mutations.ts'
 import { loadInNode } from '../three/node-loader.ts'
 import { Workshop } from './workshop.ts'
 
-// Node has no WebGL to read pixels with. The bitmap stand-in has pixels.
+// Furrow reads the pixels of an ImageBitmap with WebGL, which Node lacks. In this test, the bitmap is an object with pixels.
 vi.mock(import('../../../packages/furrow/src/runtime/file/read-image.ts'), async (original) => ({
   ...(await original()),
   readImage: (bitmap) => bitmap as unknown as RgbaImage,
@@ -64,10 +64,10 @@ const JUNK = [
   { index: 2, slice: 0 },
 ]
 
-/** Textures of the wrinkles, which follow those of the plain face. */
+/** Returns the textures of the wrinkles. They follow the four textures of the face. */
 const own = (textures: Json[]) => textures.slice(4)
 
-/** Changes in the JSON around the extension that affect whether its maps can be read. */
+/** Changes of JSON that is outside the extension. They may make the maps of the extension unreadable. */
 const AROUND: ((json: Json, random: Random) => unknown)[] = [
   (json) => delete json.extensionsUsed,
   (json, random) => Object.assign(random.pick<Json>(own(json.textures)), { source: random.int(12) }),
@@ -81,7 +81,7 @@ const AROUND: ((json: Json, random: Random) => unknown)[] = [
   (json) => Object.assign(json.materials[0].normalTexture, { index: json.textures.length - 1 }),
 ] // biome-ignore format: one line each
 
-/** Makes a file damaged in its extension, around it, or in the bytes of one of its images. */
+/** Makes a file that is damaged in the extension, in other JSON, or in the bytes of an image of the wrinkles. */
 function damaged(seed: number): Uint8Array {
   const random = new Random(seed)
   const base = random.pick(bases)
@@ -98,7 +98,7 @@ function damaged(seed: number): Uint8Array {
 }
 
 function damageImage(bytes: Buffer, json: Json, random: Random): void {
-  // The wrinkles' images come last.
+  // The last three images belong to the wrinkles.
   const views = json.images.slice(-3).map(({ bufferView }: Json) => json.bufferViews[bufferView])
   const { byteOffset = 0, byteLength } = random.pick<Json>(views)
   const start = bytes.length - json.buffers[0].byteLength + byteOffset
@@ -110,7 +110,7 @@ function damageImage(bytes: Buffer, json: Json, random: Random): void {
   else image.copyWithin(0, random.int(byteLength))
 }
 
-/** Returns why validate refuses a file; undefined if validate accepts it. */
+/** Returns the error of `furrow validate`; undefined if it accepts the file. */
 async function validateError(bytes: Uint8Array): Promise<string | undefined> {
   try {
     const findings = await checkWrinkles(decodeGlb(Buffer.from(bytes), 'x.glb', 'test'))
@@ -121,7 +121,7 @@ async function validateError(bytes: Uint8Array): Promise<string | undefined> {
   }
 }
 
-/** Returns why the loader leaves a face plain; undefined if it wrinkles. */
+/** Returns why the loader refuses the wrinkles of a face; undefined if it accepts them. */
 async function loaderError(gltf: GLTF): Promise<string | undefined> {
   try {
     for (const { meshes, set } of await readWrinkleMaps(gltf)) {
@@ -133,14 +133,14 @@ async function loaderError(gltf: GLTF): Promise<string | undefined> {
   }
 }
 
-it(`validate refuses exactly what the loader leaves plain, in ${FILES} damaged files`, async () => {
+it(`validate and the loader refuse the same wrinkles, in ${FILES} damaged files`, async () => {
   vi.spyOn(console, 'warn').mockImplementation(() => {})
   let refused = 0
   const differing: string[] = []
   for (let seed = 0; seed < FILES; seed++) {
     const bytes = damaged(seed)
     const gltf = await loadInNode(bytes).catch(() => undefined)
-    // Damage of the plain face, which three.js itself refuses, is checked by the Khronos validator.
+    // Skips files that three.js itself refuses, because their errors are outside the wrinkles.
     if (!gltf) continue
     const [validate, loader] = [await validateError(bytes), await loaderError(gltf)]
     if (validate !== undefined) refused++
@@ -149,7 +149,7 @@ it(`validate refuses exactly what the loader leaves plain, in ${FILES} damaged f
     }
   }
   expect(differing).toEqual([])
-  // Both outcomes must be frequent, otherwise the damage proves nothing.
+  // Many files must be refused and many accepted; otherwise the agreement proves nothing.
   expect(refused).toBeGreaterThan(FILES / 4)
   expect(refused).toBeLessThan((FILES * 3) / 4)
 })

@@ -40,7 +40,7 @@ describe('furrow validate', () => {
     expect(process.exitCode).toBe(1)
   })
 
-  it('reads a pipe that the shell has opened once', async () => {
+  it('reads a pipe of the shell only once', async () => {
     const file = openSync(face, 'r')
     await shop.run('validate', `/dev/fd/${file}`)
     closeSync(file)
@@ -106,7 +106,7 @@ describe('furrow validate', () => {
     )
   })
 
-  it('finds image problems that the JSON does not show', async () => {
+  it('finds problems inside images', async () => {
     const folder = await shop.makeFolder('odd')
     const jpeg = await sharp(await noise(1))
       .jpeg()
@@ -124,7 +124,7 @@ describe('furrow validate', () => {
       'AREA_UNDER_ALPHA',
       'AREA_INVISIBLE',
     ])
-    // The second layer uses an image of another size: the first area's.
+    // Makes the second layer use the image of the first area, which has another size.
     const sizes = spoilt((_, { layers, areas }) => {
       layers[1].normalTexture.index = areas[0].texture.index
     })

@@ -2,15 +2,15 @@ import { type Anything, type GlbParts, joinGlb, setImage, splitGlb } from '../..
 import { noise } from '../../noise.ts'
 import { sheet, sheetGlb } from './sheet.ts'
 
-/** Bones: nodes 1 to 4 of the file, after the skin's, and two of the hair. */
+/** Names of the bones, which are nodes 1 to 6. Node 0 is the skin. The last two belong to the hair. */
 const BONES = ['hips', 'spine', 'neck', 'head', 'hair', 'hair tip'] as const
 const bone = (name: (typeof BONES)[number]) => 1 + BONES.indexOf(name)
 
-/** Images that only VRM's extensions use; the material also uses `base`. */
+/** Names of the images. The glTF material uses `base`; only VRM extensions use the others. */
 const PICTURES = ['base', 'shade', 'matcap', 'outline width', 'thumbnail'] as const
 const picture = (name: (typeof PICTURES)[number]) => PICTURES.indexOf(name)
 
-/** Returns a VRM 0 avatar: one extension with indices for everything, and colliders in groups. */
+/** Returns a VRM 0 avatar. One extension refers by index to nodes, meshes, images and groups of colliders. */
 export function vrm0Avatar(): Promise<Uint8Array> {
   return avatar((json) => {
     json.materials[0].extensions = { KHR_materials_unlit: {} }
@@ -64,7 +64,7 @@ export function vrm0Avatar(): Promise<Uint8Array> {
   })
 }
 
-/** Returns the same avatar as VRM 1, with extensions of nodes and materials, and a thumbnail image without a texture. */
+/** Returns the avatar of `vrm0Avatar` as VRM 1.0, with extensions on nodes and materials, and a thumbnail that no texture uses. */
 export function vrm1Avatar(): Promise<Uint8Array> {
   return avatar((json) => {
     json.textures.splice(picture('thumbnail'), 1)

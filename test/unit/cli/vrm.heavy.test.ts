@@ -28,13 +28,13 @@ describe.each([
     await expectWrinkles(out)
   })
 
-  it('gives the same bytes when wrinkles are made again', async () => {
+  it('has the same bytes when its wrinkles are made again', async () => {
     const first = await make(await write('plain.vrm'), at('once.vrm'))
     const second = await make(first, at('twice.vrm'), '--replace')
     expect(readFileSync(second)).toEqual(readFileSync(first))
   })
 
-  it('keeps everything when wrinkles are replaced, with an image that was added after them', async () => {
+  it('keeps everything when wrinkles are replaced, also an image that was added after the wrinkles', async () => {
     const plain = await write('bare.vrm')
     const parts = splitGlb(readFileSync(await make(plain, at('first.vrm'))))
     const { json } = parts
@@ -50,7 +50,7 @@ describe.each([
   })
 })
 
-/** Returns the JSON of a file without its wrinkles, with bytes in place of the views, which may move. */
+/** Returns the JSON of a file without its wrinkles. Bytes replace buffer view indices, because views may move. */
 async function contentsOf(path: string): Promise<Anything> {
   const { json, bin } = await readGlbFile(path, 'test')
   const { buffers: _, bufferViews = [], extensionsUsed, ...rest } = json
@@ -63,7 +63,7 @@ async function contentsOf(path: string): Promise<Anything> {
   return { ...JSON.parse(text), extensionsUsed: extensionsUsed?.filter((name) => name !== NAME) }
 }
 
-/** Expects everything at the same index, with at most textures of wrinkles added at the end. */
+/** Expects that all items keep their indices. Only images and textures of wrinkles may be added at the end. */
 function expectKept(before: Anything, after: Anything): void {
   const kept = LISTS.map((list) => [list, after[list].slice(0, before[list].length)])
   expect({ ...after, ...Object.fromEntries(kept) }).toEqual(before)

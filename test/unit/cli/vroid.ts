@@ -2,7 +2,7 @@ import type { Accessor, Document, Mesh, Primitive } from '@gltf-transform/core'
 import { accessorsOf } from '../../accessors.ts'
 import { meshOf, targetNamesOf } from './auto-variants.ts'
 
-/** VRoid's shapes as sums of ARKit's. */
+/** Blendshapes of VRoid. Each one is a sum of ARKit blendshapes with these weights. */
 const SHAPES: Readonly<Record<string, Readonly<Record<string, number>>>> = {
   Fcl_ALL_Neutral: {},
   Fcl_ALL_Angry: { browDownLeft: 1, browDownRight: 1, mouthFrownLeft: 0.6, mouthFrownRight: 0.6 },
@@ -33,7 +33,7 @@ const SHAPES: Readonly<Record<string, Readonly<Record<string, number>>>> = {
   Fcl_MTH_O: { mouthFunnel: 0.9 },
 }
 
-/** Shapes of an avatar that only has emotions, vowels and blinks. */
+/** Blendshapes of an avatar that only has emotions, vowels and blinks. */
 export const EMOTIONS: typeof SHAPES = {
   Fcl_ALL_Neutral: {},
   Fcl_ALL_Angry: { browDownLeft: 1, browDownRight: 1, mouthFrownLeft: 0.6, mouthFrownRight: 0.6 },
@@ -52,12 +52,12 @@ export const EMOTIONS: typeof SHAPES = {
   Fcl_MTH_O: { mouthFunnel: 0.9 },
 }
 
-/** Shapes of an avatar whose brows float in front of its skin: brow shapes move nothing else. */
+/** Blendshapes of an avatar whose brows are a mesh in front of the skin, so that brow shapes do not move the skin. */
 export const FLOATING_BROWS: typeof SHAPES = Object.fromEntries(
   Object.entries(SHAPES).map(([name, sum]) => [name, name.startsWith('Fcl_BRW_') ? {} : sum]),
 )
 
-/** Meshes of the shipped face that become primitives of `Face`, with VRoid Studio's materials. */
+/** Meshes of the shipped face that become primitives of the mesh `Face`, with the material names of VRoid Studio. */
 const PARTS = [
   ['mouth', 'N00_000_00_FaceMouth_00_FACE (Instance)'],
   ['eye-left', 'N00_000_00_EyeIris_00_EYE (Instance)'],
@@ -66,14 +66,14 @@ const PARTS = [
   ['lashes', 'N00_000_00_FaceEyelash_00_FACE (Instance)'],
 ] as const
 
-/** Material of the skin in `toVRoid`'s file. */
+/** Name of the skin's material in a file made by `toVRoid`. */
 export const VROID_SKIN = PARTS[2][1]
 
 /**
- * Converts the shipped face to one like VRoid Studio's VRM 0 exports. One mesh has several primitives that share all vertices, each with
- * its own material. The face has only VRoid's shapes, and looks along -Z.
+ * Converts the shipped face to a face that looks like an export of VRoid Studio in VRM 0. One mesh has several primitives, which share all vertices
+ * and have different materials. The face has only VRoid's blendshapes, and looks along -Z.
  *
- * @param shapes sums of ARKit's shapes, by name.
+ * @param shapes new blendshapes by name. Each one is a sum of ARKit blendshapes with these weights.
  */
 export function toVRoid(document: Document, shapes = SHAPES): void {
   const parts = PARTS.map(([name, material]) => ({ mesh: meshOf(document, name), material }))

@@ -9,7 +9,7 @@ import { type CommandName, runCommand } from '../../commands.ts'
 import { editGlb, jsonOf } from '../../glb.ts'
 import { noise } from '../../noise.ts'
 
-/** Temporary folder with a face and the images of a wrinkle set, and the output of commands. */
+/** Temporary folder for the tests of a file, with functions that write files there and run commands. */
 export class Workshop {
   readonly root = mkdtempSync(join(tmpdir(), 'furrow-cli-'))
   printed = ''
@@ -48,7 +48,7 @@ export class Workshop {
     return this.write(name, JSON.stringify(value))
   }
 
-  /** Returns every file below a folder with its bytes. */
+  /** Returns the bytes of every file below a folder, base64. The keys are relative paths. */
   files(folder = '.'): Record<string, string> {
     const names = readdirSync(this.path(folder), { recursive: true, withFileTypes: true })
     const paths = names.filter((item) => item.isFile()).map((item) => join(item.parentPath, item.name))
@@ -77,7 +77,7 @@ export class Workshop {
     )
   }
 
-  /** Expects one clear line that contains or matches `message`, and no files added or removed. */
+  /** Runs a command. Expects an error of one line that contains or matches `message`, and that no file was added or removed. */
   async fails(message: string | RegExp, name: CommandName, ...args: string[]): Promise<void> {
     const list = () => readdirSync(this.root, { recursive: true }).sort()
     const before = list()
@@ -88,7 +88,7 @@ export class Workshop {
     expect(list()).toEqual(before)
   }
 
-  /** Makes a folder like a user's: a face, two layers and five areas, named in alphabetical order. */
+  /** Makes a folder as users do: a face, two layers and five areas. The names of the areas are in alphabetical order. */
   async makeFolder(name: string): Promise<string> {
     this.write(`${name}/face.glb`, await faceBytes())
     this.write(`${name}/layers/age/normal.png`, await noise(1))
@@ -120,7 +120,7 @@ export function bench(command: CommandName) {
 
 export const AREAS = ['brow', 'cheek', 'chin', 'eye', 'nose']
 
-/** Makes an area in the paper's convention: black in its own column, white elsewhere. */
+/** Makes the image of an area: dark, which means visible, in one of eight columns, and white elsewhere. */
 export function painted(column: number, size = 128): Promise<Uint8Array> {
   const data = Uint8Array.from({ length: size * size }, (_, i) => {
     return Math.floor((8 * (i % size)) / size) === column ? (i >> 7) % 120 : 255
@@ -146,7 +146,7 @@ export function wrinklesIn(path: string, material = 0) {
   return jsonOf(readFileSync(path)).materials[material].extensions.FURROW_wrinkle_maps
 }
 
-/** Makes a quad named `skin` with a normal map and the blendshape `browInnerUp`, and a second mesh. */
+/** Makes a file with a mesh per name, by default `skin` and `eyes`. Each is a triangle with a normal map and the blendshape `browInnerUp`. */
 export async function faceBytes(names = ['skin', 'eyes']): Promise<Uint8Array> {
   const document = new Document()
   const accessor = accessorsOf(document)
@@ -181,7 +181,7 @@ export async function faceBytes(names = ['skin', 'eyes']): Promise<Uint8Array> {
   return new NodeIO().writeBinary(document)
 }
 
-/** Makes a face of two meshes, of which only the second, the head, moves. */
+/** Makes a face of two meshes, `teeth` and `head`. Only the head has a blendshape. */
 export async function stillTeeth(): Promise<Uint8Array> {
   return editGlb(await faceBytes(['teeth', 'head']), ({ meshes }) => delete meshes[0].primitives[0].targets)
 }

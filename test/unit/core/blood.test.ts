@@ -1,11 +1,11 @@
 import { type ImageArray, parseWrinkleSetDocument } from 'furrow'
 import { BLOOD_ABSORPTION, packAreas, reference } from 'furrow/internal'
 import { describe, expect, it } from 'vitest'
-import { packPairs } from '../../../packages/furrow/src/core/pack-pairs.ts'
+import { packChannels } from '../../../packages/furrow/src/core/maps/pack-channels.ts'
 
 /**
- * By wavelength in nm: molar extinction of oxygenated and deoxygenated haemoglobin in 1/cm/M (Prahl 1998), the spectrum of D65, and the
- * colour matching functions of the CIE 1931 observer.
+ * Spectra, one row per wavelength. Columns: wavelength in nm; molar extinction of oxygenated and of deoxygenated haemoglobin in 1/cm/M
+ * (Prahl 1998); power of the illuminant D65; x, y and z of the CIE 1931 observer.
  */
 const SPECTRA = [
   [400, 266232, 223296, 82.7549, 0.01431, 0.000396, 0.06785],
@@ -41,7 +41,7 @@ const SPECTRA = [
   [700, 290, 1794.28, 71.6091, 0.01136, 0.0041, 0],
 ]
 
-/** From CIE XYZ to linear sRGB (IEC 61966-2-1). */
+/** Matrix from CIE XYZ to linear sRGB (IEC 61966-2-1). */
 const XYZ_TO_SRGB = [
   [3.2404542, -1.5371385, -0.4985314],
   [-0.969266, 1.8760108, 0.041556],
@@ -50,10 +50,10 @@ const XYZ_TO_SRGB = [
 
 const OXYGENATED = 0.75
 
-/** Molar concentration of haemoglobin in blood: 150 g/l of 64500 g/mol. */
+/** Concentration of haemoglobin in blood, mol/l: 150 g/l divided by 64500 g/mol. */
 const MOLAR = 150 / 64500
 
-/** Diffuse reflectance of the dipole (Jensen et al. 2001) for a dermis with this fraction of blood. */
+/** Returns the diffuse reflectance of a dermis by the dipole model (Jensen et al. 2001). `blood` is the fraction of blood in the dermis. */
 function reflectance(nm: number, extinction: number, blood: number): number {
   const scattering = 2e5 * nm ** -1.5 + 2e12 * nm ** -4
   const bloodless = 0.244 + 85.3 * Math.exp(-(nm - 154) / 66.2)
@@ -66,7 +66,7 @@ function reflectance(nm: number, extinction: number, blood: number): number {
   return (albedo / 2) * (1 + Math.exp((-4 / 3) * boundary * root)) * Math.exp(-root)
 }
 
-/** Computes skin colour in linear sRGB. @param melanin optical depth of the epidermis at 550 nm. */
+/** Returns the colour of skin in linear sRGB. `melanin` is the optical depth of the epidermis at 550 nm. */
 function skin(blood: number, melanin: number): number[] {
   return XYZ_TO_SRGB.map((row) =>
     SPECTRA.reduce((sum, [nm, oxygenated, deoxygenated, light, ...xyz]) => {
@@ -78,7 +78,7 @@ function skin(blood: number, melanin: number): number[] {
   )
 }
 
-/** Returns how fast the logarithm of each channel falls as blood grows, relative to green. */
+/** Returns the rate at which the logarithm of each channel decreases with more blood, relative to green. */
 function absorption(melanin: number): number[] {
   const [less, more] = [0.009, 0.011].map((blood) => skin(blood, melanin))
   const rates = less.map((value, i) => Math.log(value / more[i]))
@@ -94,7 +94,7 @@ describe('the absorption of blood', () => {
     ['without melanin', 0],
     ['light', 0.2],
     ['dark', 1.5],
-  ])('is nearly equal for skin that is %s', (_, melanin) => {
+  ])('is nearly the same for skin that is %s', (_, melanin) => {
     for (const [i, value] of absorption(melanin).entries()) {
       expect(Math.abs(value - BLOOD_ABSORPTION[i])).toBeLessThan(0.14)
     }
@@ -116,7 +116,7 @@ describe('the absorption of blood', () => {
 })
 
 describe('a blood map', () => {
-  it('is neutral at 128 and for a hundredth of a step around it, bit by bit', () => {
+  it('is exactly neutral at 128, and within a hundredth of a step around 128', () => {
     const colour = [0.1234567, 0.3, 0.9]
     for (const byte of [128, 127.991, 128.009]) {
       expect(reference.bloodOf(byte / 255)).toBe(0)
@@ -129,9 +129,9 @@ describe('a blood map', () => {
     expect([0, 1, 255].map((byte) => reference.bloodOf(byte / 255))).toEqual([-1, -1, 1])
   })
 
-  it('is packed next to the occlusion, neutral if a layer lacks either', () => {
+  it('is packed next to the occlusion, with neutral values for a map that a layer lacks', () => {
     const flat = (value: number) => ({ width: 1, height: 2, data: new Uint8Array(2).fill(value) })
-    const packed = packPairs(
+    const packed = packChannels(
       [
         [flat(10), flat(20)],
         [undefined, flat(30)],

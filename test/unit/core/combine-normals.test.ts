@@ -5,7 +5,7 @@ import { describe, expect, it } from 'vitest'
 const texel = (...rgb: number[]): RgbaImage => ({ width: 1, height: 1, data: Uint8Array.from([...rgb, 255]) })
 const FLAT = [128, 128, 255]
 
-/** Bytes of a normal tilted by `degrees` in a direction, in degrees from +X. */
+/** Returns the bytes of a normal that is tilted by `degrees` towards `direction`, degrees from +X. */
 function tilted(degrees: number, direction: number): number[] {
   const [a, b] = [(degrees * Math.PI) / 180, (direction * Math.PI) / 180]
   return [Math.sin(a) * Math.cos(b), Math.sin(a) * Math.sin(b), Math.cos(a)].map((n) =>

@@ -51,7 +51,7 @@ describe('a damaged image', () => {
     expect(imageDamage(Buffer.concat([bytes.subarray(0, 8), end]))).toBe('missing header')
   })
 
-  it('is detected by a marker that JPEG lacks', async () => {
+  it('is detected in a JPEG by a marker that does not exist', async () => {
     const bytes = await draw((own) => own.jpeg())
     const damaged = Buffer.concat([bytes.subarray(0, -2), Buffer.of(0xff, 0x30, 0xff, 0xd9)])
     expect(imageDamage(damaged)).toBe('unknown JPEG marker')

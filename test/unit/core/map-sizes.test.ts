@@ -1,6 +1,6 @@
 import type { ArraySlice, Layer } from 'furrow'
 import { describe, expect, it } from 'vitest'
-import { checkMapSizes } from '../../../packages/furrow/src/core/map-sizes.ts'
+import { checkMapSizes } from '../../../packages/furrow/src/core/maps/map-sizes.ts'
 
 const gray = (side: number) => ({ width: side, height: side, data: new Uint8Array(side * side) })
 const rgba = (side: number) => ({ width: side, height: side, data: new Uint8Array(4 * side * side) })
@@ -18,6 +18,8 @@ describe("the sizes of a set's maps", () => {
     ['roughness', [{ roughness: gray(4) }, { roughness: gray(8) }]],
     ['occlusion', [{ occlusion: gray(4) }, { occlusion: gray(8) }]],
     ['blood', [{ blood: gray(4) }, { blood: gray(8) }]],
+    ['onset', [{ onset: gray(4) }, { onset: gray(8) }]],
+    ['occlusion and onset', [{ occlusion: gray(4) }, { onset: gray(8) }]],
     ['occlusion and blood', [{ occlusion: gray(4) }, { blood: gray(8) }]],
   ] satisfies [string, Partial<Layer>[]][])('must be equal for %s', (kinds, maps) => {
     expect(() => checkMapSizes(maps.map(layer))).toThrow(

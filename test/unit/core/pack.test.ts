@@ -38,13 +38,13 @@ describe('packColours', () => {
     [
       'no width',
       { width: 0, height: 4, data: new Uint8Array(0) },
-      /side out of range, got "0 x 4", allowed: 1 to 8192/,
+      /size out of range, got "0 x 4", allowed: 1 to 8192/,
     ],
-    ['half a texel', { width: 1.5, height: 2, data: new Uint8Array(12) }, /side out of range/],
+    ['half a texel', { width: 1.5, height: 2, data: new Uint8Array(12) }, /size out of range/],
     [
       '16384 texels',
       { width: 16384, height: 1, data: new Uint8Array(65536) },
-      /side out of range.*resize the image/,
+      /size out of range.*resize the image/,
     ],
   ])('refuses an image with %s', (_, image, message) => {
     expect(() => packColours([image])).toThrow(message)

@@ -37,7 +37,7 @@ describe('reference', () => {
     }
   })
 
-  it('does not change a colour without influence at all', () => {
+  it('does not change a colour where there is no influence', () => {
     fc.assert(
       fc.property(
         fc.array(fc.double({ min: 0, max: 1, noNaN: true }), { minLength: 3, maxLength: 3 }),
@@ -49,7 +49,7 @@ describe('reference', () => {
     )
   })
 
-  it('mixes the values of layers, divided by the sum of their influences above 1', () => {
+  it('mixes the values of layers by their influences, which are divided by their sum if that exceeds 1', () => {
     const layer = (value: number, influence: number) => ({ value: [value], influence })
     expect(reference.mixValues([0.5], [layer(1, 0.5), layer(0, 0.2)])[0]).toBeCloseTo(0.65, 12)
     expect(reference.mixValues([0.5], [layer(1, 1), layer(0, 1)])[0]).toBeCloseTo(0.5, 12)
@@ -60,7 +60,7 @@ describe('reference', () => {
     expect(reference.unpackNormal([0, 0.5, 1])).toEqual([-1, 0, 1])
   })
 
-  it('reorients: a flat detail gives the base, a flat base gives the detail', () => {
+  it('reorients details: a flat detail gives the base, and a flat base gives the detail', () => {
     const tilted = [0.6, 0, 0.8]
     expect(close(reference.reorientNormal(tilted, [0, 0, 1]), tilted)).toBe(true)
     expect(close(reference.reorientNormal([0, 0, 1], tilted), tilted)).toBe(true)

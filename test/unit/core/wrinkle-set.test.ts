@@ -50,7 +50,7 @@ describe('checkWrinkleSet', () => {
 describe('areaWeights', () => {
   const painted = { width: 2, height: 2, data: Uint8Array.of(255, 0, 128, 200) }
 
-  it("inverts the paper's convention", () => {
+  it("inverts images in the paper's convention, where black is visible", () => {
     expect([...areaWeights(painted).data]).toEqual([0, 255, 127, 55])
     expect([...areaWeights(painted, 'weight').data]).toEqual([255, 0, 128, 200])
     expect([...painted.data]).toEqual([255, 0, 128, 200])
@@ -78,7 +78,7 @@ describe('parseWrinkleSetDocument', () => {
     })
   })
 
-  it("requires only names, with images at a folder's default paths", () => {
+  it('requires only names; images have the default paths of a folder', () => {
     const least = parseWrinkleSetDocument({ layers: [{ name: 'skin' }], areas: [{ name: 'a#b' }] })
     expect(least.version).toBe(1)
     expect([least.layers[0].normal, least.areas[0].image]).toEqual([

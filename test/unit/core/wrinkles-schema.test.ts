@@ -16,7 +16,7 @@ beforeAll(() => {
   validate = new Ajv2020({ schemas }).getSchema(schema.$id)!
 })
 
-/** Document with every field. Fails to compile if the type gets a field that is missing here. */
+/** Document with every field. The test does not compile if the type has a field that is missing here. */
 const FULL = {
   version: 1,
   mesh: 'head',
@@ -35,6 +35,8 @@ const FULL = {
       heightAmplitude: 0.002,
       blood: 'b.png',
       bloodAmplitude: 0.5,
+      onset: 's.png',
+      onsetStrength: 0.5,
     } satisfies Required<WrinkleSetDocument['layers'][number]>,
   ],
   areas: [
@@ -60,7 +62,7 @@ const FULL = {
   ],
 } satisfies Required<WrinkleSetDocument>
 
-/** Reads a document like `furrow pack`. */
+/** Parses a document as `furrow pack` does. */
 function parse(json: unknown): WrinkleSetDocument {
   const document = parseWrinkleSetDocument(json)
   parseCorrections(document.shapes, 'wrinkles.json')
@@ -73,14 +75,14 @@ interface Fields {
   dependentRequired?: Record<string, string[]>
 }
 
-/** Objects of the document by path prefix of their fields. */
+/** Objects in the document: prefix of the paths of their fields, schema, and example. */
 const OBJECTS: [string, Fields, object][] = [
   ['', schema, FULL],
   ['layers[].', schema.$defs.layer, FULL.layers[0]],
   ['areas[].', schema.$defs.area, FULL.areas[0]],
 ]
 
-/** Reads fields of the tables below a heading by path, with the defaults column. */
+/** Reads the tables below a heading of a page. Returns the path of each field with its text in the column of defaults. */
 function tableOf(page: string, heading: string): [string, string][] {
   const [, section] = read(page).split(`\n${heading}\n`)
   const rows = section.split(/\n## /)[0].matchAll(/^\| (`.+?`) \| .+ \| (.+) \|$/gm)
@@ -142,7 +144,7 @@ describe('the schema of wrinkles.json', () => {
   it('accepts everything that the parser accepts, and refuses most of what the parser refuses', () => {
     const { accepted, missed } = compareWithParser(FULL, validate, parse, 5)
     expect(accepted).toBeGreaterThan(MUTATED / 100)
-    // A schema cannot check area names. Layers and areas may also be in the folder instead of the document.
+    // The schema accepts some invalid documents: it cannot check area names, and layers and areas may be missing because a folder has them.
     expect(missed).toBeLessThan(0.25)
   })
 })

@@ -29,7 +29,7 @@ test('an invalid number of years is refused', () => {
   expect(() => parsed({ area: 'brow', initial: 2000 })).toThrow('initial')
 })
 
-test('automatic wrinkles show at rest if an age was requested', () => {
+test('automatic wrinkles show at rest if they were made for an age', () => {
   const region = { name: 'glabella', atRest: 0.5 } as Parameters<typeof ageDriver>[0]
   const atRest = (years: number | undefined) => driven([ageDriver(region, years)!]).activations().glabella
   expect(atRest(70)).toBeCloseTo(0.5, 2)

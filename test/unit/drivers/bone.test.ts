@@ -5,7 +5,7 @@ import { describe, expect, it } from 'vitest'
 import { ramp } from '../../drivers.ts'
 import { seeded } from '../../random.ts'
 
-/** Curve that returns the measure itself within -4..4. */
+/** Curve from which the test can compute the measured value within -4..4. */
 const RULER = ramp(-4, 4)
 const measured = (activation: number) => 8 * activation - 4
 
@@ -58,7 +58,7 @@ describe('bone drivers', () => {
     },
   )
 
-  it('counts an angle about an axis with its sign, without turns across the axis', () => {
+  it('reads a signed angle about an axis, without the rotation across this axis', () => {
     const about = (rotation: Quaternion) =>
       read(
         driver('angle', [0, 0, 2]),
@@ -68,7 +68,7 @@ describe('bone drivers', () => {
     expect(about(turned([0, 0, 1], 0.8))).toBeCloseTo(0.8, 5)
     expect(about(turned([0, 0, 1], -2.2))).toBeCloseTo(-2.2, 5)
     expect(about(turned([1, 0, 0], 1.1))).toBeCloseTo(0, 5)
-    // Twist about z after a swing.
+    // A rotation about z after one about another axis.
     expect(about(turned([1, 1, 0], 0.6).multiply(turned([0, 0, 1], 0.5)))).toBeCloseTo(0.5, 5)
   })
 

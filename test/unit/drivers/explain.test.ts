@@ -24,7 +24,7 @@ it('returns the contribution of each link and driver', () => {
   )
   expect(glabella.activation).toBeCloseTo(0.4, 6)
   expect(glabella.parts[0].links.map(({ value }) => Math.round(10 * value) / 10)).toEqual([0.6, 0.4])
-  // 0.1 at rest, 0.2 from the glabella, 0.3 by age.
+  // The area has 0.1 at rest, 0.2 from the glabella, and 0.3 by age.
   expect(nose.activation).toBeCloseTo(0.6, 6)
   expect(nose.resting).toBe(0.1)
   expect(nose.parts.map(({ driver, activation }) => [driver.type, Math.round(10 * activation) / 10])).toEqual(

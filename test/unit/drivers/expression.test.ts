@@ -63,7 +63,7 @@ describe('ExpressionMix', () => {
     expect(() => mix.play({ a: 1.5 })).toThrow('weight of "a" out of range, got 1.5, allowed: 0 to 1')
   })
 
-  it('leaves areas that an expression does not name at rest, and adds to that', () => {
+  it('adds to the activation at rest, and keeps other areas at rest', () => {
     const mix = new ExpressionMix(
       [
         { name: 'neutral', targets: {}, activations: { chin: 0 } },
@@ -110,7 +110,7 @@ describe('ExpressionMix', () => {
 })
 
 describe('EXPRESSIONS', () => {
-  it('are the promised ones, neutral first', () => {
+  it('are the documented ones, with neutral first', () => {
     expect(EXPRESSIONS.map(({ name }) => name)).toEqual(
       expect.arrayContaining([
         'neutral',

@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest'
 import { driven } from '../../driven.ts'
 import { link, morph, ramp, STRAIGHT } from '../../drivers.ts'
 
-/** Drivers that activate areas by given amounts, each by a target named like the area. */
+/** Returns drivers that activate areas by given amounts. All read one blendshape, whose weight is 1. */
 function given(activations: Record<string, number>): MorphDriver[] {
   return Object.entries(activations).map(([area, weight]) => morph(area, [link('all', weight)]))
 }
@@ -16,7 +16,7 @@ const between = (area: string, from: Record<string, number>): AreaDriver => ({
   curve: STRAIGHT,
 })
 
-/** Returns activations by area, rounded. */
+/** Evaluates drivers. Returns rounded activations by area, and the areas that drive themselves. */
 function joined(
   drivers: WrinkleDriver[],
   { resting = {}, inputs = {} }: { resting?: Record<string, number>; inputs?: Record<string, number> } = {},
@@ -33,13 +33,13 @@ describe('all drivers of a face', () => {
     expect(joined(drivers, { resting: { brow: 0.7 } })).toEqual({ nose: 0.75, brow: 1, cyclic: [] })
   })
 
-  it('let areas drive areas in dependency order, however they are listed', () => {
+  it('let areas drive areas, in any order of the list', () => {
     const chain = [between('c', { b: 0.5 }), between('b', { a: 0.5, x: 1 }), between('x', { a: 0.25 })]
     // x = 0.2, b = 0.4 + 0.2, c = 0.3.
     expect(joined([...chain, ...given({ a: 0.8 })])).toEqual({ a: 0.8, c: 0.3, b: 0.6, x: 0.2, cyclic: [] })
   })
 
-  it('leave out only areas that drive themselves', () => {
+  it('ignore only areas that drive themselves', () => {
     const rules = [
       between('a', { b: 1 }),
       between('b', { a: 1 }),
@@ -73,13 +73,13 @@ describe('drivers of application inputs', () => {
     expect(joined(aging, { inputs: { age } })).toEqual({ forehead, crowsFeet, cyclic: [] })
   })
 
-  it('age: a face is 20 until set, and expressions add on top', () => {
+  it('age: a face is 20 until its age is set, and expressions add to the wrinkles of age', () => {
     expect(joined(aging)).toMatchObject({ forehead: 0, crowsFeet: 0.1 })
     const both = joined([...aging, ...given({ forehead: 0.5 })], { inputs: { age: 50 } })
     expect(both).toMatchObject({ forehead: 0.9, crowsFeet: 0.3 })
   })
 
-  it('input: any number by name, 0 until set, several on one area', () => {
+  it('input: reads a number by name, 0 until it is set, and several can drive one area', () => {
     const drivers: WrinkleDriver[] = [
       { type: 'input', name: 'stress', area: 'glabella', curve: ramp(20, 120) },
       {
@@ -94,13 +94,13 @@ describe('drivers of application inputs', () => {
     ]
     expect(joined(drivers, { inputs: { stress: 50, cold: 15 } })).toMatchObject({ glabella: 0.3 })
     expect(joined(drivers, { inputs: { stress: 50, cold: -30 } })).toMatchObject({ glabella: 0.8 })
-    // Unset: stress 0 gives nothing, cold 0 is halfway.
+    // Inputs are 0 until they are set. Stress 0 adds nothing, and cold 0 is in the middle of its curve.
     expect(joined(drivers)).toMatchObject({ glabella: 0.25 })
   })
 })
 
 describe('time drivers', () => {
-  /** Returns an area's activation after some seconds at a frame rate. */
+  /** Returns the activation of an area after some seconds, divided into `frames` frames. */
   function after(from: number, to: number, seconds: number, frames: number): number {
     const { activations } = driven(
       [
@@ -109,7 +109,7 @@ describe('time drivers', () => {
       ],
       ['brow', 'nose'],
     )
-    // The first frame starts at the driven value without a delay.
+    // The first frame has the driven value without a delay.
     expect(activations({ weights: [from, 0.5], seconds: 9 }).brow).toBeCloseTo(from, 6)
     let shown = from
     for (let i = 0; i < frames; i++) {

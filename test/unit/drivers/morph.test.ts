@@ -37,7 +37,7 @@ describe('morph drivers', () => {
     expect(at(0, 0, 0, 0)).toEqual({ forehead: 0, nose: 0 })
   })
 
-  it('find targets in other spellings, and count a split shape once', () => {
+  it('find blendshapes in other spellings, and count the mean of left and right halves', () => {
     const { activations } = driven(
       [morph('forehead', 'browInnerUp')],
       ['blendShape1.browInnerUp_L', 'blendShape1.browInnerUp_R'],
@@ -46,7 +46,7 @@ describe('morph drivers', () => {
     expect(activations({ weights: [1, 0] }).forehead).toBe(0.5)
   })
 
-  it('continue without targets that the mesh lacks, and list them', () => {
+  it('ignore blendshapes that the mesh lacks, and list them', () => {
     const { activations, missing } = driven([morph('nose', 'trunkUp')], ['jawOpen'])
     expect(activations({ weights: [1] })).toEqual({ nose: 0 })
     expect(missing).toEqual(['target "trunkUp" of a driver of area "nose"'])

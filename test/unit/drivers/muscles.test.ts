@@ -29,18 +29,18 @@ const near = (found: number[], expected: number[]) => {
 }
 
 describe('muscleOffsets', () => {
-  it('a linear muscle pulls towards its origin: most at its end, not at all at the bone and beyond the end', () => {
+  it('a linear muscle pulls towards its origin: most near its end, and nothing at the origin and beyond the end', () => {
     const linear = muscle({})
-    // On the axis, at 0.8 of its length of 2.
+    // The pull is strongest at 0.8 of the muscle's length, which is 2.
     near(offset(linear, 0, 0, 1.6), [0, 0, -0.48])
-    // Halfway there: the sine of 45 degrees.
+    // Halfway to this point the factor is sin(45 degrees).
     near(offset(linear, 0, 0, 0.8), [0, 0, -0.3 * 0.8 * Math.SQRT1_2])
-    // Between 0.8 and 1.2: the cosine of 45 degrees.
+    // Halfway from 0.8 to 1.2 of the length, where the pull ends, the factor is cos(45 degrees).
     near(offset(linear, 0, 0, 2), [0, 0, -0.3 * 2 * Math.SQRT1_2])
     near(offset(linear, 0, 0, 2.4), [0, 0, 0])
     near(offset(linear, 0, 0, -1), [0, 0, 0])
     near(offset(linear, 0, 0, 0), [0, 0, 0])
-    // 0.3 radians to the side, at a distance of 1.6.
+    // A point 0.3 radians off the axis, at a distance of 1.6.
     const [x, z] = [1.6 * Math.sin(0.3), 1.6 * Math.cos(0.3)]
     const inside = (Math.cos(0.3) - Math.cos(0.5)) / (1 - Math.cos(0.5))
     near(offset(linear, x, 0, z), [-0.3 * inside * x, 0, -0.3 * inside * z])
@@ -106,7 +106,7 @@ describe.each(['human', 'human-2'])('the muscles of %s', (name) => {
     mesh = (await readFaceMesh(`faces/${name}.glb`, 'test')).mesh
   })
 
-  it('are those of the face, left and right, and form the six basic expressions', () => {
+  it('exist on the left and the right, and form the six basic expressions', () => {
     expect(muscles.length).toBeGreaterThanOrEqual(18)
     const names = muscles.map((own) => own.name)
     for (const left of names.filter((own) => own.endsWith('Left')))
@@ -125,7 +125,7 @@ describe.each(['human', 'human-2'])('the muscles of %s', (name) => {
   })
 
   it.each(muscles.map((own) => [own.name, own] as const))(
-    '%s has an area that covers its motion, and nothing of the other side',
+    '%s has an area that covers the skin it moves, and nothing of the other side',
     (_, own) => {
       const offsets = muscleOffsets(own, mesh.positions)
       const area = targetArea(mesh, offsets, 128)
@@ -141,11 +141,11 @@ describe.each(['human', 'human-2'])('the muscles of %s', (name) => {
       expect(moved.filter((i) => at(i) > 0).length / moved.length).toBeGreaterThanOrEqual(0.95)
       expect(Math.max(...area.data)).toBeGreaterThan(150)
       if (own.name !== 'zygomaticMajorLeft') return
-      // The person's left is at u > 0.5.
+      // u > 0.5 is the person's left.
       for (let y = 0; y < area.height; y++) {
         for (let x = 0; x < area.width / 2; x++) expect(area.data[y * area.width + x]).toBe(0)
       }
-      // To a tenth of a millimetre.
+      // Allows a tenth of a millimetre beyond the middle.
       for (const i of moved) expect(mesh.positions[3 * i]).toBeGreaterThan(-1e-4)
     },
   )

@@ -8,7 +8,7 @@ import { link, morph, ramp, STRAIGHT } from '../../drivers.ts'
 const folder = new URL('../../../packages/furrow/src/drivers/', import.meta.url)
 
 describe('the driver registry', () => {
-  it('has an entry for every folder of drivers/, with a schema of its type', () => {
+  it('has an entry, and a schema, for every folder in drivers/', () => {
     const folders = readdirSync(folder, { withFileTypes: true }).filter((entry) => entry.isDirectory())
     expect(folders.map(({ name }) => name).sort()).toEqual([...DRIVER_TYPES].sort())
     for (const type of DRIVER_TYPES) {
@@ -44,7 +44,7 @@ interface BreathDriver {
   depth: number
 }
 
-/** Two inputs set by the application, combined by a custom function. */
+/** Custom driver type, which combines two inputs of the application. */
 const breath: DriverDefinition<BreathDriver> = {
   type: 'breath',
   read: (fields) => ({ area: fields.area(), depth: fields.number('depth', 0, 1, 0.5) }),

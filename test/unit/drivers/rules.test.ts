@@ -21,7 +21,7 @@ describe('rules', () => {
     expect(activation(rule, both, [0.8, 0.4, 0])).toBeCloseTo(expected, 6)
   })
 
-  it('both brows are needed if the rule says so', () => {
+  it('the rules product and min need both brows', () => {
     const links = [link('browDownLeft'), link('browDownRight')]
     expect(activation('min', links, [1, 0, 0])).toBe(0)
     expect(activation('product', links, [1, 0, 0])).toBe(0)
@@ -38,7 +38,7 @@ describe('rules', () => {
   it("a link's curve comes before its weight, and the driver's after the rule", () => {
     const late: Curve = ramp(0.5, 1, 2)
     const halved: Curve = ramp(0, 2)
-    // 0.75 -> 1 on its own curve, times 0.8, plus 0.4.
+    // The link's curve turns 0.75 into 1, which is multiplied by 0.8. The other link adds 0.4.
     const links = [link('browDownLeft', 0.8, late), link('browDownRight')]
     expect(activation('sum', links, [0.75, 0.4, 0], halved)).toBeCloseTo(0.6, 6)
     expect(activation('sum', links, [0.5, 0.4, 0], halved)).toBeCloseTo(0.2, 6)

@@ -23,7 +23,7 @@ describe('canonicalTargetName', () => {
     ['', ''],
   ])('%s is %s', (name, expected) => expect(canonicalTargetName(name)).toBe(expected))
 
-  it('knows every name of the table and of the expressions, each for one shape', () => {
+  it('knows every name in the table and in the expressions, and no name means two shapes', () => {
     const all = ALIASES.flat()
     expect(new Set(all.map((name) => name.toLowerCase())).size).toBe(all.length)
     for (const [first, ...others] of ALIASES) {
@@ -45,7 +45,7 @@ describe('findTargets', () => {
     ['mouthLeft', ['mouth', 'mouthRight'], []],
     ['0', ['1', '0'], [1]],
     ['_neutral', ['jawOpen'], []],
-    // A rig's own name, even if it could be read as ARKit's, and one rig's name on another.
+    // An exact match wins over another reading of the name, and names of one rig are found on another.
     ['browInnerUp_R', ['browInnerUp_L', 'browInnerUp_R'], [1]],
     ['browUp_L', ['browUpLeft', 'browUp_L'], [1]],
     ['blendShape1.jawOpen', ['x.jawOpen'], [0]],

@@ -21,7 +21,7 @@ const driver = (measure: TensionDriver['measure'], area = 'sheet'): TensionDrive
   curve: RULER,
 })
 
-/** Sheet of 1 x 1 in the plane z = 0 with `side` x `side` squares and randomly shifted inner points. */
+/** Returns a sheet of 1 x 1 in the plane z = 0, with `side` x `side` squares. `wobble` shifts inner points randomly. */
 function sheet(side: number, wobble = 0) {
   const random = seeded(side)
   const [positions, uvs, triangles]: number[][] = [[], [], []]
@@ -45,7 +45,7 @@ function sheet(side: number, wobble = 0) {
 
 type Sheet = ReturnType<typeof sheet>
 
-/** Returns a driver's measurement after every point has moved. */
+/** Moves every point of a sheet, and returns the value that a tension driver measures. */
 function measure(
   rest: Sheet,
   measure: TensionDriver['measure'],
@@ -66,7 +66,7 @@ function measure(
   return measured[0]
 }
 
-/** Returns the measurements and activations of drivers after corners have moved. */
+/** Evaluates tension drivers at new positions. Returns their measured values and activations. */
 function drive(
   drivers: TensionDriver[],
   samples: TensionSample[],
@@ -93,7 +93,7 @@ describe('tension drivers', () => {
     ).toBeCloseTo(0.2, 6)
   })
 
-  it('report the same in any direction, and for stretch', () => {
+  it('report compression and stretch correctly in any direction', () => {
     for (const angle of [0.3, 1, 2.4]) {
       const there = new Matrix4().makeRotationZ(angle)
       const along = new Matrix4().makeScale(1.3, 0.9, 1)
@@ -115,12 +115,12 @@ describe('tension drivers', () => {
   })
 
   it('report the mean over the area', () => {
-    // Compressed by 0 at y = 0 to 40% at y = 1, linearly, in thin rows.
+    // The compression along y increases linearly, from 0 at y = 0 to 40% at y = 1.
     const fan = (point: Vector3) => point.set(point.x, point.y * (1 - 0.2 * point.y), 0)
     expect(measure(sheet(40), 'compression', fan, 400)).toBeCloseTo(0.2, 2)
   })
 
-  it('distinguish pull and push by the sign', () => {
+  it('have signed measures: compression is negative if the skin grows, and stretch if it shrinks', () => {
     const grow = (point: Vector3) => point.multiplyScalar(1.25)
     expect(measure(sheet(4), 'compression', grow)).toBeCloseTo(-0.25, 9)
     expect(measure(sheet(4), 'stretch', (point) => point.multiplyScalar(0.5))).toBeCloseTo(-0.5, 9)
@@ -132,12 +132,12 @@ describe('tension drivers', () => {
     const state = program.createState()
     state.inputs.tension.set([-0.8, -0.6, 0.5])
     program.evaluate(state)
-    // Both drivers of the sheet add up.
+    // The activations by the two drivers of the area add up.
     expect(state.activations[0]).toBeCloseTo(0.1 + 0.2, 6)
     expect(state.activations[1]).toBe(0)
   })
 
-  it('continue without areas that cover nothing, and without degenerate triangles', () => {
+  it('ignore areas that cover nothing, and degenerate triangles', () => {
     const rest = sheet(1)
     const triangles = [0, 0, 0, 0, 1, 1, ...rest.triangles]
     const { activations, measured, missing } = drive(
@@ -153,7 +153,7 @@ describe('tension drivers', () => {
 })
 
 describe('tension along a direction of the texture', () => {
-  /** Returns directional measurements of a sheet whose texture and points have moved. */
+  /** Returns the tension of a sheet along several directions of its texture, after a function has moved its points. */
   function along(
     directions: readonly (readonly [number, number])[],
     rest: Sheet,
@@ -172,7 +172,7 @@ describe('tension along a direction of the texture', () => {
   const turn = new Matrix4().makeRotationFromEuler(new Euler(0.4, 1.2, -2)).setPosition(3, -1, 7)
   const shorten = (point: Vector3) => point.multiply(new Vector3(0.8, 1, 1)).applyMatrix4(turn)
 
-  it('distinguishes a squint from a scrunch: skin shortened along u keeps its length along v', () => {
+  it('depends on the direction: skin that is shortened along u keeps its length along v', () => {
     const [u, back, v, diagonal] = along([[1, 0], [-3, 0], [0, 0.2], [1, 1]], sheet(6, 0.5), shorten) // biome-ignore format: one line
     expect(u).toBeCloseTo(0.2, 9)
     expect(back).toBeCloseTo(0.2, 9)
@@ -191,7 +191,7 @@ describe('tension along a direction of the texture', () => {
     expect(along([[1, 0]], turned, shorten, 'stretch')[0]).toBeCloseTo(0, 9)
     const mirrored = mapped((u, v) => [1 - u, v])
     expect(along([[1, 0]], mirrored, shorten)[0]).toBeCloseTo(0.2, 9)
-    // Along u alone, x and y both grow by a, so the direction on the sheet is the diagonal.
+    // A step along u is a step along the diagonal of the sheet, because v has to stay constant.
     const sheared = mapped((u, v) => [u, v - u])
     expect(along([[1, 0]], sheared, shorten)[0]).toBeCloseTo(1 - Math.sqrt((0.8 ** 2 + 1) / 2), 9)
   })
@@ -205,7 +205,7 @@ describe('tension along a direction of the texture', () => {
 })
 
 describe('sampleTriangles', () => {
-  it('picks triangles by their weight, and none without weight', () => {
+  it('picks triangles with a probability that follows their weight, and none without weight', () => {
     const left: GrayImage = { width: 2, height: 1, data: Uint8Array.of(255, 0) }
     const mesh = sheet(10)
     const chosen = sampleTriangles(mesh, left, 50)

@@ -5,7 +5,7 @@ const nodes = [{ mesh: 1 }, { name: 'hips' }, { mesh: 0 }]
 const of = (json: unknown, mesh = 0) => Object.fromEntries(expressionBinds(json, mesh))
 
 describe('expressionBinds', () => {
-  it('of VRM 1.0 are those of nodes with the mesh, from presets and custom expressions', () => {
+  it('of VRM 1.0 include the nodes with the mesh, for presets and custom expressions', () => {
     const bind = (node: number, index: number, weight?: number) => ({ node, index, weight })
     const expressions = {
       preset: { happy: { morphTargetBinds: [bind(2, 0, 0.5), bind(0, 1, 1), bind(2, 3)] }, neutral: {} },
@@ -23,7 +23,7 @@ describe('expressionBinds', () => {
     expect(of(json, 1)).toEqual({ happy: [{ index: 1, weight: 1 }], neutral: [], puff: [] })
   })
 
-  it('of VRM 0 are in percent, and presets have the names of VRM 1.0', () => {
+  it('of VRM 0 are converted from percent, and presets get the names of VRM 1.0', () => {
     const blendShapeGroups = [
       { name: 'Joy', presetName: 'joy', binds: [{ mesh: 0, index: 2, weight: 25 }] },
       { name: 'Blink_L', presetName: 'blink_l', binds: [{ mesh: 0, index: 0 }] },

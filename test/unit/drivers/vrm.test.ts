@@ -13,7 +13,7 @@ import { morph } from '../../drivers.ts'
 import { seeded } from '../../random.ts'
 import { frameOf } from '../three/stub-renderer.ts'
 
-/** Makes a face whose expressions each move one target, and override others. */
+/** Makes a face with a three-vrm expression manager. Each expression moves one blendshape, and some override others. */
 function avatar() {
   const names = ['blink', 'blinkLeft', 'aa', 'lookUp', 'happy', 'surprised']
   const mesh = blendMesh(...names.map((name) => `shape_${name}_x`))
@@ -46,7 +46,7 @@ describe('VrmWeights', () => {
     }
   })
 
-  it('drive areas by the names of expressions, after their overrides', () => {
+  it('are read by drivers that name expressions, after overrides', () => {
     const { mesh, manager } = avatar()
     const wrinkles = new Wrinkles(mesh, randomSet(seeded(1), 1, 8))
     const [area] = wrinkles.areaNames

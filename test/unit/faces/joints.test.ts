@@ -13,11 +13,11 @@ const io = new NodeIO().registerExtensions([...ALL_EXTENSIONS, FurrowWrinkleMaps
 const read = (name: string) => io.read(fileURLToPath(new URL(`../../../faces/${name}.glb`, import.meta.url)))
 const documents = { hand: await read('hand'), neck: await read('neck') }
 
-/** Weight of 1 in normalised 16 bits. */
+/** The weight 1 as a normalised 16-bit integer. */
 const UNIT_WEIGHT = 65535
 
 describe.each(Object.entries(documents))('the shipped %s', (_, document) => {
-  it('is skinned with weights that sum to exactly 1', () => {
+  it('has skin weights that add up to exactly 1', () => {
     const skinned = document
       .getRoot()
       .listNodes()
@@ -42,28 +42,31 @@ describe.each(Object.entries(documents))('the shipped %s', (_, document) => {
 })
 
 describe('the hand', () => {
-  it.each([0, 0.2, 0.7, 1.1, 1.6])('creases by its curves when its joints bend by %d', (angle) => {
-    const { pose, activations, drivers, positionOf } = jointsOf(documents.hand)
-    const bent = ['finger1-3', 'finger2-2', 'finger3-2', 'finger4-2', 'finger5-2', 'finger1-1']
-    for (const name of bent) pose(`${name}.L`, [1, 0, 0], angle)
-    const distance = positionOf('wrist.L').distanceTo(positionOf('finger3-3.L'))
-    const found = activations()
-    for (const { area, curve, measure } of drivers)
-      expect(found[area]).toBeCloseTo(interpolate(curve, measure === 'angle' ? angle : distance), 5)
-    expect(Object.keys(found)).toEqual([
-      'thumb',
-      'index',
-      'middle',
-      'ring',
-      'little',
-      'knuckles',
-      'palm',
-      'thenar',
-      'pressed',
-    ])
-  })
+  it.each([0, 0.2, 0.7, 1.1, 1.6])(
+    'is activated by the curves of its drivers when its joints bend by %d',
+    (angle) => {
+      const { pose, activations, drivers, positionOf } = jointsOf(documents.hand)
+      const bent = ['finger1-3', 'finger2-2', 'finger3-2', 'finger4-2', 'finger5-2', 'finger1-1']
+      for (const name of bent) pose(`${name}.L`, [1, 0, 0], angle)
+      const distance = positionOf('wrist.L').distanceTo(positionOf('finger3-3.L'))
+      const found = activations()
+      for (const { area, curve, measure } of drivers)
+        expect(found[area]).toBeCloseTo(interpolate(curve, measure === 'angle' ? angle : distance), 5)
+      expect(Object.keys(found)).toEqual([
+        'thumb',
+        'index',
+        'middle',
+        'ring',
+        'little',
+        'knuckles',
+        'palm',
+        'thenar',
+        'pressed',
+      ])
+    },
+  )
 
-  it('has all creases and smooth knuckles as a fist', () => {
+  it('has all creases and smooth knuckles when it makes a fist', () => {
     const { play, activations } = jointsOf(documents.hand)
     play('fist', 1.5)
     const { knuckles, ...others } = activations()
@@ -71,7 +74,7 @@ describe('the hand', () => {
     for (const activation of Object.values(others)) expect(activation).toBe(1)
   })
 
-  it('has white knuckles as a fist, and refills in about a second', async () => {
+  it('has pale knuckles when it makes a fist, and the blood returns in about a second', async () => {
     const material = documents.hand
       .getRoot()
       .listMaterials()
@@ -89,18 +92,21 @@ describe('the hand', () => {
 })
 
 describe('the neck', () => {
-  it.each([-0.25, -0.1, 0, 0.08, 0.2])('creases by the total rotation of its joints, %d each', (angle) => {
-    const { pose, activations, drivers, rotationFromRest } = jointsOf(documents.neck)
-    for (const name of ['neck01', 'neck02', 'neck03', 'head']) {
-      pose(name, [0.3, 1, 0], angle)
-    }
-    const { x, y, w } = rotationFromRest('spine01', 'head')
-    const found = activations()
-    for (const { area, curve, axis } of drivers) {
-      const angle = 2 * Math.atan2(axis![0] === 1 ? x : y, w)
-      expect(found[area]).toBeCloseTo(interpolate(curve, angle), 5)
-    }
-  })
+  it.each([-0.25, -0.1, 0, 0.08, 0.2])(
+    'is activated by the total rotation of its joints, %d each',
+    (angle) => {
+      const { pose, activations, drivers, rotationFromRest } = jointsOf(documents.neck)
+      for (const name of ['neck01', 'neck02', 'neck03', 'head']) {
+        pose(name, [0.3, 1, 0], angle)
+      }
+      const { x, y, w } = rotationFromRest('spine01', 'head')
+      const found = activations()
+      for (const { area, curve, axis } of drivers) {
+        const angle = 2 * Math.atan2(axis![0] === 1 ? x : y, w)
+        expect(found[area]).toBeCloseTo(interpolate(curve, angle), 5)
+      }
+    },
+  )
 
   it.each([
     ['turn', 1.4, 'neckLeft'],
@@ -115,7 +121,7 @@ describe('the neck', () => {
   })
 })
 
-/** Joints of a model, at rest until posed, and the activations of its drivers. */
+/** Returns functions that pose the joints of a model and evaluate its drivers. */
 function jointsOf(original: Document) {
   const document = cloneDocument(original)
   const [skin] = document.getRoot().listSkins()
@@ -140,13 +146,13 @@ function jointsOf(original: Document) {
     drivers: drivers.filter(({ type }) => type === 'bone') as BoneDriver[],
     rest,
     now,
-    /** Rotates a joint from rest about a local axis, radians. */
+    /** Rotates a joint from its rest pose about a local axis. The angle is in radians. */
     pose(name: string, axis: [number, number, number], angle: number) {
       const bend = new Quaternion().setFromAxisAngle(new Vector3(...axis).normalize(), angle)
       const rotation = new Quaternion().fromArray(rests[names.indexOf(name)]).multiply(bend)
       joint(name).setRotation(rotation.toArray() as vec4)
     },
-    /** Poses all joints by the last key frame of a clip at or before `seconds`. */
+    /** Sets all joints to an animation's last key frame at or before `seconds`. */
     play(clip: string, seconds: number) {
       const animation = document
         .getRoot()
@@ -161,7 +167,7 @@ function jointsOf(original: Document) {
       }
     },
     positionOf: (name: string) => new Vector3(...joint(name).getWorldTranslation()),
-    /** Returns the rotation of a joint from rest, relative to another joint. */
+    /** Returns the rotation of the joint `name` from its rest pose, relative to the joint `from`. */
     rotationFromRest(from: string, name: string) {
       const relative = (matrices: readonly number[]) => {
         const [a, b] = [from, name].map((one) =>
@@ -177,7 +183,7 @@ function jointsOf(original: Document) {
       const program = new DriverProgram(plan, { joint: measuredSource(joints.missing) })
       expect(program.missing).toEqual([])
       const state = program.createState()
-      // Delays have ended.
+      // After a minute all delays have ended.
       state.seconds[0] = 60
       joints.measure(now(), state.inputs.joint)
       program.evaluate(state)
@@ -186,7 +192,7 @@ function jointsOf(original: Document) {
   }
 }
 
-/** Linear between the points of a curve, constant beyond its ends. */
+/** Evaluates a curve: linear between its points, constant beyond its ends. */
 function interpolate(curve: Curve, input: number): number {
   const [[firstInput, first]] = curve
   if (input <= firstInput) return first

@@ -16,7 +16,7 @@ describe.each(['human.glb', 'human-2.glb', 'hand.glb', 'neck.glb'])('the shipped
     expect(shop.printed).toBe(`${path}: 0 errors, 0 warnings\n`)
   })
 
-  it("has MikkTSpace's tangents on the skin", async () => {
+  it('has MikkTSpace tangents on the skin', async () => {
     const io = new NodeIO().registerExtensions([...ALL_EXTENSIONS, FurrowWrinkleMaps])
     const document = await io.read(path)
     const skin = document
@@ -29,7 +29,7 @@ describe.each(['human.glb', 'human-2.glb', 'hand.glb', 'neck.glb'])('the shipped
       const values = primitive.getAttribute(attribute)!.getArray()
       return Float32Array.from(indices.flatMap((i) => [...values.subarray(i * size, i * size + size)]))
     }
-    // v points up in MikkTSpace and down in glTF, so signs are opposite.
+    // Signs are opposite, because v points up in MikkTSpace and down in glTF.
     const exact = generateTangents(corners('POSITION', 3), corners('NORMAL', 3), corners('TEXCOORD_0', 2))
     const stored = corners('TANGENT', 4)
     let close = 0

@@ -19,7 +19,8 @@ beforeAll(async () => {
 })
 
 /**
- * Reads the sample with one field set, or removed if `value` is undefined: `areas.0.channel` in the extension, `/textures.8` in the file.
+ * Reads the sample with one field set, or removed if `value` is undefined. A path such as `areas.0.channel` is in the extension, and a path
+ * such as `/textures.8` in the file.
  */
 function readWith(path: string, value: Anything) {
   const json = structuredClone(written.json) as Anything
@@ -51,6 +52,17 @@ describe('a file with an invalid field', () => {
       4,
       'layers[0].bloodTexture differs from occlusionTexture, got "4", allowed: 5',
     ],
+    [
+      'layers.0.onsetTexture.index',
+      4,
+      'layers[0].onsetTexture differs from occlusionTexture, got "4", allowed: 5; store onset in the G channel of the occlusion image',
+    ],
+    [
+      'layers.0.roughnessTexture.index',
+      5,
+      'layers[0].onsetTexture is the image of roughnessTexture, got "5", allowed: another image',
+    ],
+    ['layers.0.onsetTexture.strength', 2, 'layers[0].onsetTexture.strength is out of range'],
     ['layers.0.occlusionTexture.strength', 2, 'layers[0].occlusionTexture.strength is out of range'],
     ['areas.2.texture.index', 10, 'areas[2].texture.index is out of range, got 10, allowed: 0..9'],
     ['areas.2.texture.index', 1.5, 'areas[2].texture.index must be a whole number'],
@@ -64,8 +76,8 @@ describe('a file with an invalid field', () => {
     ['drivers.0.type', undefined, 'drivers[0].type must be text'],
     ['drivers.0.area', 'x', 'drivers[0].area is unknown, got "x"'],
     ['drivers.0.targets', [], 'drivers[0].targets has the wrong number'],
-    ['drivers.4.axis', [0, 0, 0], 'drivers[4].axis has no direction, got "0, 0, 0"; write e.g. [1, 0, 0]'],
-    ['drivers.5.direction', [0, 0], 'drivers[5].direction has no direction, got "0, 0"; write e.g. [1, 0]'],
+    ['drivers.4.axis', [0, 0, 0], 'drivers[4].axis has length zero, got "0, 0, 0"; write e.g. [1, 0, 0]'],
+    ['drivers.5.direction', [0, 0], 'drivers[5].direction has length zero, got "0, 0"; write e.g. [1, 0]'],
     ['drivers.5.direction', [1], 'drivers[5].direction has the wrong number of items, got 1'],
     ['drivers.0.curve.1.0', 0, 'drivers[0].curve[1][0] does not increase'],
     ['/textures.8.source', undefined, 'texture without a readable image, got 8'],
@@ -83,14 +95,14 @@ describe('a file with an invalid field', () => {
     await expect(readWith('areas.0.later', { texture: 1 })).resolves.toBeDefined()
   })
 
-  it('is refused even if its value is nested too deeply to be printed', () => {
+  it('is refused, also if its value is nested too deeply to print', () => {
     const deep = JSON.parse('['.repeat(50_000) + ']'.repeat(50_000))
     expect(() => parseWrinkleMaps({ layers: { deep } })).toThrow(FurrowError)
   })
 })
 
 describe('a truncated file', () => {
-  it('is refused at every 1% of its length', async () => {
+  it('is refused, at each percent of its length', async () => {
     const bytes = await io.writeBinary(await createSample())
     await expect(io.readBinary(bytes)).resolves.toBeDefined()
     for (let percent = 0; percent < 100; percent++) {
@@ -100,7 +112,7 @@ describe('a truncated file', () => {
   })
 })
 
-/** Rules of the extension, implemented independently of the parser. */
+/** Checks the rules of the extension, without the parser. */
 function isValid({ layers, areas, drivers }: WrinkleMaps, textures: number): boolean {
   const text = (value: unknown) => typeof value === 'string' && value.length > 0 && value.length <= 256
   const within = (value: unknown, low: number, high: number) =>
@@ -122,7 +134,8 @@ function isValid({ layers, areas, drivers }: WrinkleMaps, textures: number): boo
         (!layer.roughnessTexture || index(layer.roughnessTexture.index, textures)) &&
         (!layer.occlusionTexture || within(layer.occlusionTexture.strength, 0, 1)) &&
         (!layer.heightTexture || within(layer.heightTexture.amplitude, 0, 1000)) &&
-        (!layer.bloodTexture || within(layer.bloodTexture.amplitude, 0, 2)),
+        (!layer.bloodTexture || within(layer.bloodTexture.amplitude, 0, 2)) &&
+        (!layer.onsetTexture || within(layer.onsetTexture.strength, 0, 1)),
     ) &&
     areas.every(
       (area) =>
@@ -169,7 +182,7 @@ describe('parseWrinkleMaps', () => {
       }),
       { numRuns: MUTATED, seed: 3 },
     )
-    // Both outcomes must be frequent, otherwise the mutations prove nothing.
+    // Many documents must be refused and many accepted; otherwise the test proves nothing.
     expect(accepted).toBeGreaterThan(MUTATED / 20)
     expect(refused).toBeGreaterThan(MUTATED / 2)
   })

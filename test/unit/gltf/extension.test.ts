@@ -41,6 +41,7 @@ describe('FurrowWrinkleMaps', () => {
       occlusionTexture: { index: 5, strength: 0.25 },
       heightTexture: { index: 6, amplitude: 0.004 },
       bloodTexture: { index: 5, amplitude: 0.5 },
+      onsetTexture: { index: 5, strength: 0.75 },
     })
     expect(maps.areas[0]).toEqual({ name: 'brow', texture: { index: 8 } })
     expect(maps.areas[4]).toEqual({
@@ -54,7 +55,7 @@ describe('FurrowWrinkleMaps', () => {
     expect(parseWrinkleMaps(maps, json.textures!.length).areas).toHaveLength(5)
   })
 
-  it('reads back its own output, as JSON and as a binary', async () => {
+  it('reads its own output, as JSON and as a binary file', async () => {
     const document = await createSample()
     const before = summary(document)
     expect(before.drivers).toEqual(DRIVERS)
@@ -102,7 +103,7 @@ describe('FurrowWrinkleMaps', () => {
     const [layers, areas] = [wrinkleMapsOf(document).listLayers(), wrinkleMapsOf(document).listAreas()]
     const array = areas[0].getTexture()
     for (const [slice, area] of areas.entries()) area.setTexture(array, 0).setSlice(slice)
-    layers[0].setSlice('occlusionTexture', 3).setSlice('bloodTexture', 3)
+    layers[0].setSlice('occlusionTexture', 3).setSlice('bloodTexture', 3).setSlice('onsetTexture', 3)
     const slicesOf = (from: typeof document) => [
       wrinkleMapsOf(from)
         .listAreas()
@@ -136,7 +137,7 @@ describe('FurrowWrinkleMaps', () => {
     const [R, G, B] = [0x1000, 0x0100, 0x0010]
     expect(listTextureChannels(of('up'))).toEqual([R, G, B])
     expect(listTextureChannels(of('dry'))).toEqual([G])
-    expect(listTextureChannels(of('shade'))).toEqual([R, B])
+    expect(listTextureChannels(of('shade'))).toEqual([R, G, B])
     expect(listTextureChannels(of('relief'))).toEqual([R])
     expect(listTextureChannels(of('weights 0'))).toEqual([R, G, B])
     expect(listTextureChannels(of('weights 1'))).toEqual([R, G])
@@ -217,10 +218,10 @@ describe('a glTF-Transform script', () => {
 
   beforeAll(async () => {
     const document = await createSample()
-    // Duplicate image for dedup: the second layer has a copy of the first one's normals.
+    // Gives the second layer a copy of the first layer's normal map, which dedup must merge.
     const twin = wrinkleMapsOf(document).listLayers()[1].getTexture('normalTexture')!
     twin.setImage(wrinkleMapsOf(document).listLayers()[0].getTexture('normalTexture')!.getImage()!)
-    // Uniform image, which prune would replace by a factor.
+    // Adds an image of one colour, which prune would replace by a factor.
     const white = { width: 8, height: 8, channels: 3 as const, background: '#fff' }
     const flat = await sharp({ create: white }).png().toBuffer()
     wrinkleMapsOf(document)

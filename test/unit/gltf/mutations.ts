@@ -1,13 +1,13 @@
 import fc from 'fast-check'
 import { inject } from 'vitest'
 
-/** Number of mutated documents. */
+/** Number of mutated documents to test. */
 export const MUTATED: number = inject('inDepth') ? 100_000 : 10_000
 
 // biome-ignore lint/suspicious/noExplicitAny: invalid on purpose
 type Anything = any
 
-/** Values that hostile or broken writers might put anywhere. */
+/** Values that a hostile or broken program might write anywhere. */
 const JUNK: Anything[] = [
   null,
   true,
@@ -33,13 +33,13 @@ const JUNK: Anything[] = [
   { toString: 1, valueOf: null },
 ]
 
-/** Node of a JSON document, with its parent and key. The root has no parent. */
+/** Value in a JSON document, by its parent and key. The root has no parent. */
 interface JsonNode {
   parent?: Anything
   key: string
 }
 
-/** Lists all nodes of a JSON document, parents first. */
+/** Lists all values of a JSON document, parents first. */
 function nodesOf(value: Anything, nodes: JsonNode[] = [{ key: '' }]): JsonNode[] {
   if (typeof value !== 'object' || value === null) return nodes
   for (const key of Object.keys(value)) {
@@ -55,7 +55,7 @@ interface Mutation {
   junk: Anything
 }
 
-/** Changes one node of a document and keeps the JSON valid. */
+/** Changes one value of a document. The JSON stays valid. */
 export function mutate(document: Anything, { node, action, junk }: Mutation): Anything {
   const nodes = nodesOf(document)
   const { parent, key }: { parent?: Anything; key: Anything } = nodes[node % nodes.length]
@@ -84,10 +84,10 @@ export const mutation = fc.record<Mutation>({
 })
 
 /**
- * Compares a schema with a parser on many mutated documents. The schema must accept everything that the parser accepts.
+ * Compares a schema with a parser on many mutated documents. Expects that the schema accepts everything that the parser accepts.
  *
  * @param parse throws for invalid documents.
- * @returns number of documents that the parser accepted, and the fraction of refused ones that the schema accepted.
+ * @returns `accepted`: number of documents that the parser accepted. `missed`: fraction of refused documents that the schema accepted.
  */
 export function compareWithParser(
   document: Anything,

@@ -23,7 +23,7 @@ const CURVE: Curve = [
   [1, 1],
 ]
 
-/** Drivers of every type with all defaults, and one of an unknown type. */
+/** A driver of every type with all defaults filled in, and one of an unknown type. */
 export const DRIVERS: WrinkleDriver[] = [
   {
     type: 'morph',
@@ -60,7 +60,7 @@ export const DRIVERS: WrinkleDriver[] = [
   },
 ]
 
-/** Document with every kind of curve and shape. */
+/** Strokes document with every kind of curve and shape. */
 export const SHAPES = [
   { mesh: 'Head', target: 'key_12', shape: 'browInnerUp' },
   { target: 'slider', extras: { by: 'hand' } },
@@ -171,6 +171,8 @@ export async function createSample(): Promise<Document> {
     .setHeightAmplitude(0.004)
     .setTexture('bloodTexture', shade)
     .setBloodAmplitude(0.5)
+    .setTexture('onsetTexture', shade)
+    .setOnsetStrength(0.75)
     .setUnknownFields({ later: { deep: [1, 2] } })
   const down = extension
     .createLayer('down')
@@ -196,10 +198,10 @@ export function wrinkleMapsOf(document: Document): MaterialWrinkles {
   return material.getExtension<MaterialWrinkles>(NAME)!
 }
 
-/** Returns the extension as plain data with images by name: the content that tools must preserve. */
+/** Returns the content of the extension that tools must preserve, as plain data, with images by name. */
 export function summary(document: Document) {
   const wrinkles = wrinkleMapsOf(document)
-  const slots = ['normal', 'baseColor', 'roughness', 'occlusion', 'height', 'blood'] as const
+  const slots = ['normal', 'baseColor', 'roughness', 'occlusion', 'height', 'blood', 'onset'] as const
   return {
     extras: wrinkles.getExtras(),
     unknown: wrinkles.getUnknownFields(),
@@ -214,6 +216,7 @@ export function summary(document: Document) {
         layer.getOcclusionStrength(),
         layer.getHeightAmplitude(),
         layer.getBloodAmplitude(),
+        layer.getOnsetStrength(),
       ],
       textures: slots.map((slot) => layer.getTexture(`${slot}Texture`)?.getName()),
       unknown: layer.getUnknownFields(),

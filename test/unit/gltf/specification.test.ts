@@ -29,7 +29,7 @@ beforeAll(() => {
   validate = ajv.getSchema(`material.${NAME}.schema.json`)!
 })
 
-/** Returns rows of the table below a heading of the page. */
+/** Returns the rows of the table below a heading of the page. */
 function tableOf(heading: string): { name: string; type: string; required: string }[] {
   const [, section = ''] = page.split(`\n### ${heading}\n`)
   const rows = section.split(/\n##/)[0].matchAll(/^\| \*\*(\w+)\*\* \| `(.+?)` \| .+ \| (.+) \|$/gm)
@@ -62,7 +62,7 @@ describe('the page of the extension', () => {
     }
   })
 
-  it('states the limits of the schema', () => {
+  it('states the limits that the schema has', () => {
     const [layers, areas, drivers] = tableOf('FURROW\\_wrinkle\\_maps').map(({ type }) => type)
     expect([layers, areas, drivers]).toEqual(['layer [1-4]', 'area [1-256]', 'driver [0-4096]'])
     const { properties } = schemas.get(`material.${NAME}.schema.json`)
@@ -102,7 +102,7 @@ describe('the schema', () => {
       4,
     )
     expect(accepted).toBeGreaterThan(MUTATED / 100)
-    // A schema cannot check names, indices and curves.
+    // The schema accepts some invalid documents, because it cannot check names, indices and curves.
     expect(missed).toBeLessThan(0.25)
   })
 })

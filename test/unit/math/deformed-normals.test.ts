@@ -10,7 +10,7 @@ import {
 } from 'three'
 import { describe, expect, it } from 'vitest'
 
-/** Returns the arrays of a geometry. */
+/** Returns the arrays of a geometry as a mesh for `DeformedNormals`. */
 function meshOf({ attributes, index }: PlaneGeometry | SphereGeometry | IcosahedronGeometry) {
   const positions = attributes.position.array as Float32Array
   return {
@@ -38,7 +38,7 @@ function largestAngle(a: ArrayLike<number>, b: ArrayLike<number>): number {
   return vectorsOf(a).reduce((most, vector, i) => Math.max(most, vector.angleTo(others[i])), 0)
 }
 
-/** Returns offsets of each point, and the normals of a mesh after them. */
+/** Moves the points of a mesh, and returns its deformed normals. */
 function deform(mesh: ReturnType<typeof meshOf>, move: (point: Vector3) => Vector3) {
   const deformed = new DeformedNormals(mesh)
   const out = new Float32Array(mesh.normals.length)
@@ -49,7 +49,7 @@ function deform(mesh: ReturnType<typeof meshOf>, move: (point: Vector3) => Vecto
 describe('DeformedNormals', () => {
   it('equal the authored normals at rest and after scaling and translation', () => {
     const mesh = meshOf(new SphereGeometry(1, 24, 16))
-    // Different from the geometric normals.
+    // Uses authored normals that differ from those of the triangles.
     const authored = moved(mesh.normals, (n) => n.add(new Vector3(0.2, 0.1, 0)).normalize())
     const deformed = new DeformedNormals({ ...mesh, normals: authored })
     const out = new Float32Array(authored.length)
@@ -68,14 +68,14 @@ describe('DeformedNormals', () => {
     const { deformed, out } = deform(mesh, (p) => p.applyQuaternion(rotation))
     const expected = moved(mesh.normals, (n) => n.applyQuaternion(rotation))
     expect(largestAngle(out, expected)).toBeLessThan(0.02)
-    // Tangents stay in the surface.
+    // Tangents must stay perpendicular to the normals.
     const normals = vectorsOf(out)
     const tangents = moved(mesh.normals, (n) => new Vector3(0, 1, 0).cross(n))
     deformed.rotate(tangents, 3)
     expect(Math.max(...vectorsOf(tangents).map((t, i) => Math.abs(t.dot(normals[i]))))).toBeLessThan(0.02)
   })
 
-  it('follow the bending of a plane, within the resolution of its triangles', () => {
+  it('follow the bending of a plane, within the accuracy of its triangles', () => {
     const mesh = meshOf(new PlaneGeometry(2, 2, 80, 4))
     const wave = (x: number) => 0.3 * Math.sin(2 * x)
     const { out } = deform(mesh, (p) => p.setZ(wave(p.x)))
@@ -93,7 +93,7 @@ describe('DeformedNormals', () => {
     expect(Math.max(...vectorsOf(out).map((n) => Math.abs(n.length() - 1)))).toBeLessThan(1e-5)
   })
 
-  it('keep the normals of vertices without adjacent area', () => {
+  it('keep the normals of vertices whose triangles have no area', () => {
     const deformed = new DeformedNormals({
       positions: [0, 0, 0, 1, 0, 0, 0, 1, 0, 5, 5, 5],
       normals: [0, 0, 1, 0, 0, 1, 0, 0, 1, 1, 0, 0],

@@ -2,12 +2,12 @@ import { expect, test } from 'vitest'
 import { KdTree } from '../../../packages/furrow/src/math/kd-tree.ts'
 import { seeded } from '../../random.ts'
 
-/** Random coordinates. Steps of a tenth give equal points and equal distances. */
+/** Returns random coordinates. If stepped, they are multiples of 0.1, so that some points and distances are equal. */
 function coordinates(random: () => number, count: number, isStepped: boolean): number[] {
   return Array.from({ length: count }, () => (isStepped ? Math.round(10 * random()) / 10 : random()))
 }
 
-/** Returns the squared distance of each point. */
+/** Returns the squared distance from `query` to each point. */
 function squaresTo(points: readonly number[], dimensions: number, query: readonly number[]): number[] {
   return Array.from({ length: points.length / dimensions }, (_, i) =>
     query.reduce((sum, x, d) => sum + (points[i * dimensions + d]! - x) ** 2, 0),

@@ -76,7 +76,7 @@ describe('isInsidePolygon', () => {
 })
 
 it('quadraticForm is the squared length of a step on a sheared plane', () => {
-  // P(u, v) = u (3, 0) + v (1, 2)
+  // Positions are `u * (3, 0) + v * (1, 2)`.
   expect(quadraticForm(9, 3, 5, 2, -1)).toBe(5 ** 2 + 2 ** 2)
 })
 

@@ -4,7 +4,7 @@ import { rasterize } from '../../../packages/furrow/src/math/rasterize.ts'
 import { seeded } from '../../random.ts'
 import { across } from '../../strokes.ts'
 
-/** Pixels covered by a triangle, as [column, row, a, b, c]. */
+/** Returns the pixels that a triangle covers as [column, row, a, b, c], with barycentric coordinates a, b and c. */
 function covered(triangle: number[], ...rest: [tolerance?: number, box?: [number, number, number, number]]) {
   const pixels: number[][] = []
   rasterize(triangle, rest[0] ?? 1e-6, (...pixel) => pixels.push(pixel), rest[1])
@@ -31,7 +31,7 @@ describe('rasterize', () => {
     expect(covered([0, 0, 4, 0, 0, 2]).find(([x, y]) => x === 1 && y === 1)).toEqual([1, 1, 0.25, 0.25, 0.5])
   })
 
-  it('passes the coordinates of barycentrics2, bit for bit', () => {
+  it('passes the same coordinates as barycentrics2, bit for bit', () => {
     const random = seeded(5)
     const weights = new Float64Array(3)
     for (let i = 0; i < 50; i++) {
@@ -49,13 +49,13 @@ describe('rasterize', () => {
     expect(pixelsOf(covered(triangle, 1e-6, [0, 0, 1, 0]))).toEqual(across(0, 0, 1))
   })
 
-  it('visits outside centres within the tolerance', () => {
+  it('also visits pixels whose centres are outside by less than the tolerance', () => {
     const triangle = [0, 0, 1.99, 0, 0, 1.99]
     expect(pixelsOf(covered(triangle, 0))).not.toContainEqual([1, 1])
     expect(pixelsOf(covered(triangle, 0.01))).toContainEqual([1, 1])
   })
 
-  it('visits nothing for a triangle without area or without a centre', () => {
+  it('visits nothing for a triangle that has no area or covers no pixel centre', () => {
     expect(covered([0, 0, 3, 3, 6, 6])).toEqual([])
     expect(covered([0.2, 0.2, 0.8, 0.2, 0.2, 0.8])).toEqual([])
   })

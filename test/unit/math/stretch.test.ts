@@ -7,7 +7,7 @@ import { seeded } from '../../random.ts'
 function stretchesOf(rest: number[], now: number[]): number[] {
   const out = new Float64Array(2)
   const inverse = restInverse(0, 1, 2, rest) ?? []
-  // At an offset into the arrays.
+  // Tests an offset into the array of inverses.
   principalStretches(out, [9, 9, 9, ...inverse], 3, 0, 1, 2, now)
   return [...out]
 }

@@ -53,7 +53,7 @@ describe('triangles', () => {
     expect(uvArea(uvs, 1, 1, 2)).toBe(0)
   })
 
-  it('are measured in texels from the centre of the first', () => {
+  it('are converted to texels, relative to the centre of the first texel', () => {
     const out = new Float64Array(6)
     uvToTexels(out, [0, 0, 0.25, 0.5, 1, 1], 0, 1, 2, 4, 2)
     expect([...out]).toEqual([-0.5, -0.5, 0.5, 0.5, 3.5, 1.5])

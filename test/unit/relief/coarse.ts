@@ -1,10 +1,10 @@
 import { SphereGeometry } from 'three'
 import type { CoarseMesh } from '../../../packages/furrow/src/relief/coarse-mesh.ts'
 
-/** Makes a sphere with a UV seam, and with many vertices at each pole. */
+/** Makes a sphere that has a UV seam, and several vertices at each pole. */
 export function sphere(radius: number, segments = 12): CoarseMesh & { normals: ArrayLike<number> } {
   const { attributes, index } = new SphereGeometry(radius, segments, segments)
-  // Snaps cosine and sine of a full turn to those of zero.
+  // Rounds positions, so that both sides of the seam are equal: cos(2 * PI) and sin(2 * PI) are inexact.
   const positions = Float32Array.from(attributes.position.array, (value) => Math.round(value * 1e6) / 1e6 + 0)
   return {
     positions,

@@ -7,13 +7,13 @@ import { finish } from './coarse.ts'
 
 const SIDE = 64
 
-/** Returns the largest number of halvings of an edge of two triangles, 16 texels wide, on the left and right of the texture. */
+/** Returns, for each of two triangles, the halvings of the edge that is halved most. One triangle is on the left of the texture, one on the right. */
 function halvings(...args: Parameters<typeof ofEdges>): number[] {
   const [a, b, c, d, e, f] = ofEdges(...args)
   return [Math.ceil(Math.max(a, b, c, 0)), Math.ceil(Math.max(d, e, f, 0))]
 }
 
-/** Returns the halvings of all edges: along the row, from the right to the upper corner, and down the column. */
+/** Returns how often each edge of the two triangles must be halved, in order: horizontal, diagonal, vertical. */
 function ofEdges(
   heightAt: (x: number, y: number) => number,
   amplitude = 0.001,
@@ -46,7 +46,7 @@ it('skin without heights is not split, and neither is evenly raised skin', () =>
   expect(halvings((x, y) => 40 + 2 * x + y)).toEqual([0, 0])
 })
 
-it('a narrow valley needs more halvings than a broad bulge, and only in its place', () => {
+it('a narrow valley needs more halvings than a broad bulge, and none beside it', () => {
   const [valley, beside] = halvings(narrow)
   expect(beside).toBe(0)
   expect(valley).toBeGreaterThan(2)
@@ -55,7 +55,7 @@ it('a narrow valley needs more halvings than a broad bulge, and only in its plac
   expect(bulge).toBeLessThan(valley)
 })
 
-it('a valley is split across, and not along', () => {
+it('edges across a valley are split, and edges along it are not', () => {
   const [alongRow, slanted, downColumn] = ofEdges(broad)
   expect(downColumn).toBeLessThan(-1)
   expect(Math.abs(slanted - alongRow)).toBeLessThan(0.2)
@@ -64,7 +64,7 @@ it('a valley is split across, and not along', () => {
 })
 
 it.each([0, 0.4, 1.1, 2])(
-  'a surface split accordingly follows waves in the direction %f within about the tolerance',
+  'a surface that is split as needed follows waves in direction %f within about the tolerance',
   (turn) => {
     const [along, across] = [Math.cos(turn), Math.sin(turn)]
     const data = Uint8Array.from({ length: SIDE * SIDE }, (_, i) => {
@@ -109,7 +109,7 @@ it.each([0, 0.4, 1.1, 2])(
   },
 )
 
-it('no edge has more parts than the other two in total, and a finer version has at least as many as a coarser one', () => {
+it('no edge has more parts than the other two together, and a finer version has at least as many parts as a coarser one', () => {
   for (let seed = 1; seed <= 50; seed++) {
     const rng = new Rng(seed)
     const bytes = Array.from({ length: SIDE * SIDE }, () => rng.next() * 255)
@@ -127,24 +127,24 @@ it('no edge has more parts than the other two in total, and a finer version has 
   }
 })
 
-it('area weights are interpolated between texels, so their borders are no steps', () => {
+it('area weights are interpolated between texels, so that borders of areas are no steps', () => {
   const data = new Uint8Array(SIDE * SIDE).fill(255)
   const heights = { width: SIDE, height: SIDE, depth: 1, channels: 1 as const, data }
   const areas = { width: 4, height: 1, depth: 1, channels: 1 as const, data: new Uint8Array([0, 255, 0, 0]) }
   const field = new HeightField({ slice: 0, amplitude: 0.002, areas: [0] }, heights, areas)
-  // The weighted texel begins at 16 and has its centre at 23.5.
+  // The area's texel with weight covers the height texels from 16 on. Its centre is at 23.5.
   expect(field.between(23.5, 8)).toBeCloseTo(0.001, 9)
   expect(field.between(15.5, 8)).toBeCloseTo(0.0005, 9)
   expect(field.between(7.5, 8)).toBe(0)
 })
 
-it('a triangle that is curved between its corners is split if heights move it', () => {
+it('a triangle with different normals at its corners is split if heights move it', () => {
   const turned = Float32Array.from({ length: 18 }, (_, i) => (i % 9 === 3 ? 0.2 : Number(i % 3 === 2)))
   expect(halvings(() => 255, 0.001, 1, turned)).toEqual([2, 2])
   expect(halvings(() => 128, 0.001, 1, turned)).toEqual([0, 0])
 })
 
-it('a coarser version needs fewer halvings, and so does a valley too narrow for its mipmaps', () => {
+it('a coarser version needs fewer halvings, and so does a narrow valley at a coarse mipmap level', () => {
   const rough = (version: number) => halvings(broad, 0.001, 1, undefined, { version })[0]
   const versions = TOLERANCES.map((_, version) => rough(version))
   expect(versions[0]).toBeGreaterThan(versions[2])
@@ -152,12 +152,12 @@ it('a coarser version needs fewer halvings, and so does a valley too narrow for 
   expect(halvings(narrow, 0.0005, 1, undefined, { mipmap: 2 })[0]).toBeLessThan(halvings(narrow, 0.0005)[0])
 })
 
-it('an invisible valley needs none, unless layers have it in common', () => {
+it('a valley below the tolerance needs none, unless several layers add up', () => {
   expect(halvings(narrow, 1.4 * TOLERANCES[0])).toEqual([0, 0])
   expect(halvings(narrow, 1.4 * TOLERANCES[0], 2)[0]).toBeGreaterThan(0)
 })
 
-it('heights of a single texel, and triangles without area or with NaN coordinates, need none', () => {
+it('height maps of one texel, and triangles without area or with NaN coordinates, need no halvings', () => {
   const texel = {
     width: 1,
     height: 1,

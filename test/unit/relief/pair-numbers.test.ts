@@ -1,7 +1,7 @@
 import { expect, it } from 'vitest'
 import { PairNumbers } from '../../../packages/furrow/src/relief/pair-numbers.ts'
 
-it('numbers pairs once, in order of arrival, for any number of pairs', () => {
+it('gives equal pairs one number, in the order of their first use, for any number of pairs', () => {
   const side = 40
   const numbers = new PairNumbers(side * side)
   const pairs = Array.from({ length: side * side }, (_, i) => [i % side, Math.floor(i / side)] as const)

@@ -10,7 +10,7 @@ import { finish, sphere } from './coarse.ts'
 const RADIUS = 0.05
 const EDGE = 0.003
 
-/** Covers the triangles whose centre meets a condition. */
+/** Returns 1 for each triangle whose centre meets a condition, otherwise 0. */
 function cover(mesh: CoarseMesh, isCovered: (x: number, y: number, z: number) => boolean): Float32Array {
   return Float32Array.from(mesh.triangles, (_, corner) => {
     const t = Math.floor(corner / 3)
@@ -34,7 +34,7 @@ function positionsOf(mesh: CoarseMesh, dense: DenseMesh): Float64Array {
   return out
 }
 
-/** Counts the triangles at each edge, with vertices at one position merged. */
+/** Returns the number of triangles at each edge. Vertices at one position count as one. */
 function edgeCounts(positions: Float64Array, triangles: Uint32Array): number[] {
   const names = Array.from({ length: positions.length / 3 }, (_, i) =>
     positions.subarray(3 * i, 3 * i + 3).join(),
@@ -42,7 +42,7 @@ function edgeCounts(positions: Float64Array, triangles: Uint32Array): number[] {
   const counts = new Map<string, number>()
   for (let k = 0; k < triangles.length; k += 3) {
     const corners = [0, 1, 2].map((i) => names[triangles[k + i]])
-    // Triangles at the poles of the sphere have no area.
+    // Skips triangles at the poles of the sphere, which have no area.
     if (new Set(corners).size < 3) continue
     for (const [i, name] of corners.entries()) {
       const edge = [name, corners[(i + 1) % 3]].sort().join(' ')
@@ -59,7 +59,7 @@ it('a closed surface stays closed: split triangles and their neighbours meet wit
   expect(new Set(edgeCounts(positionsOf(mesh, dense), dense.triangles))).toEqual(new Set([2]))
 })
 
-it('coarser versions are closed too, and outside their triangles have only vertices of the finest', () => {
+it('coarser versions are closed too, and add less than 5% to the vertices of the finest version', () => {
   const mesh = sphere(RADIUS)
   const finest = half(mesh).map((most, corner) => Math.min(most, 1 + (Math.floor(corner / 3) % 4)))
   const coarser = [1, 2, 9].map((less) => finest.map((halvings) => Math.max(halvings - less, 0)))
@@ -113,16 +113,16 @@ it('triangles keep their orientation and total area', () => {
   expect(area(positionsOf(mesh, dense), dense.triangles)).toBeCloseTo(area(mesh.positions, mesh.triangles), 8)
 })
 
-it('displaced vertices at a seam stay equal to the bit, although heights differ there', () => {
+it('displaced vertices at a seam are equal bit for bit, although their heights differ', () => {
   const mesh = sphere(RADIUS)
   const dense = finish(splitMesh(mesh, half(mesh), { edge: EDGE }))
-  const room = new Float32Array(mesh.positions.length / 3).fill(1)
+  const clearance = new Float32Array(mesh.positions.length / 3).fill(1)
   const heightAt = (u: number, v: number) => 0.001 * Math.sin(20 * u) * Math.cos(9 * v)
-  const out = displace(dense, mesh, heightAt, room)
+  const out = displace(dense, mesh, heightAt, clearance)
   expect(new Set(edgeCounts(out, dense.triangles))).toEqual(new Set([2]))
 })
 
-it('Phong tessellation rounds a sphere, heights move it outwards, and amount 0 does not change it', () => {
+it('Phong tessellation rounds a sphere, heights move it outwards, and an amount of 0 changes nothing', () => {
   const mesh = sphere(RADIUS)
   const dense = finish(
     splitMesh(
@@ -131,7 +131,7 @@ it('Phong tessellation rounds a sphere, heights move it outwards, and amount 0 d
       { edge: EDGE },
     ),
   )
-  const room = new Float32Array(mesh.positions.length / 3).fill(1)
+  const clearance = new Float32Array(mesh.positions.length / 3).fill(1)
   const farthestFrom = (radius: number, positions: Float64Array) => {
     let worst = 0
     for (let i = 0; i < positions.length; i += 3) {
@@ -143,19 +143,19 @@ it('Phong tessellation rounds a sphere, heights move it outwards, and amount 0 d
   expect(
     farthestFrom(
       RADIUS,
-      displace(dense, mesh, () => 0, room),
+      displace(dense, mesh, () => 0, clearance),
     ),
   ).toBeLessThan(flat / 10)
-  const raised = displace(dense, mesh, () => 0.002, room)
+  const raised = displace(dense, mesh, () => 0.002, clearance)
   expect(farthestFrom(RADIUS + 0.002, raised)).toBeLessThan(flat / 10)
-  const none = displace(dense, mesh, () => 0.002, room, 0)
+  const none = displace(dense, mesh, () => 0.002, clearance, 0)
   const asTheyAre = positionsOf(mesh, dense)
   expect(Math.max(...none.map((value, i) => Math.abs(value - asTheyAre[i])))).toBeLessThan(1e-15)
-  const narrow = displace(dense, mesh, () => 0.002, room.fill(0.001))
+  const narrow = displace(dense, mesh, () => 0.002, clearance.fill(0.001))
   expect(farthestFrom(RADIUS + 0.001, narrow)).toBeLessThan(flat / 10)
 })
 
-it('displacement sums the visible layers; middle gray is the surface', () => {
+it('displacement adds up the active layers, and middle gray is no displacement', () => {
   const layers = [
     { influence: 0.5, height: 1, amplitude: 0.002 },
     { influence: 1, height: 0.25, amplitude: 0.001 },
@@ -188,7 +188,7 @@ it('triangles without area or with NaN coordinates are kept unchanged', () => {
   expect(coveredTriangles(mesh, everywhere)).toEqual(new Uint8Array([1, 1, 0]))
 })
 
-it('the work is done in slices', () => {
+it('the work is divided into steps', () => {
   const mesh = sphere(RADIUS, 64)
   let slices = 0
   const steps = splitMesh(mesh, half(mesh), { edge: EDGE })
@@ -196,7 +196,7 @@ it('the work is done in slices', () => {
   expect(slices).toBeGreaterThan(20)
 })
 
-it('a triangle split in one direction becomes strips, and stays closed with its neighbours', () => {
+it('a triangle that is split in one direction becomes strips, and leaves no gap to its neighbours', () => {
   const mesh = sphere(RADIUS)
   const strips = Float32Array.from(mesh.triangles, (_, corner) => [-2, 2.7, 2.7][corner % 3])
   const dense = finish(splitMesh(mesh, strips, { edge: 1e-4 }))

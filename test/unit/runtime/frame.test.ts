@@ -10,12 +10,12 @@ import { morph, ramp, STRAIGHT } from '../../drivers.ts'
 import { seeded } from '../../random.ts'
 import { frameOf } from '../three/stub-renderer.ts'
 
-/** Renderer that counts its pictures. */
+/** Fake renderer, which counts its pictures. */
 interface Engine {
   pictures: number
 }
 
-/** Returns members that record their calls, and a frame of them. */
+/** Returns a frame and its members (faces), whose calls are recorded in `log`. */
 function recorded(names: string[]) {
   const log: string[] = []
   const frame = new Frame<Engine>((engine) => engine.pictures)
@@ -52,16 +52,16 @@ function recorded(names: string[]) {
     entries,
     hidden,
     engine,
-    /** Draws one picture of some members, and returns the calls. */
+    /** Draws one picture of some members, and returns the recorded calls. */
     draw: (...seen: string[]) => drawOn(engine, ...seen),
     drawOn,
     log,
   }
 }
 
-/** Draws like an engine that announces each picture of a scene. */
+/** Imitates an engine that announces each picture of a scene before drawing. Returns its draw function. */
 function early({ frame, entries, engine, log }: ReturnType<typeof recorded>, isCounted = false) {
-  /** Last drawn member of the scene. */
+  /** Name of the last member drawn in the scene. */
   let known: string | undefined
   return (...seen: string[]): string[] => {
     log.length = 0
@@ -78,7 +78,7 @@ function early({ frame, entries, engine, log }: ReturnType<typeof recorded>, isC
   }
 }
 
-/** Returns all phases of some members. */
+/** Returns the calls of all phases of some members. */
 const phases = (...names: string[]) => [
   ...['inputs', 'drivers', 'activations', 'influence'].flatMap((phase) =>
     names.map((name) => `${phase} ${name}`),
@@ -92,11 +92,11 @@ describe('a frame', () => {
     const { draw } = recorded(['a', 'b', 'c'])
     expect(draw('a', 'b', 'c')).toEqual([...phases('a', 'b', 'c'), 'draw a', 'draw b', 'draw c'])
     expect(draw('b', 'a')).toEqual([...phases('a', 'b', 'c'), 'draw b', 'draw a'])
-    // `c` was out of sight in the last frame.
+    // `c` was not drawn in the last frame, so its phases do not run.
     expect(draw('a', 'b')).toEqual([...phases('a', 'b'), 'draw a', 'draw b'])
   })
 
-  it('runs the phases of newly visible faces separately, each once per frame', () => {
+  it('runs the phases of newly visible faces separately, once per frame', () => {
     const { draw } = recorded(['a', 'b'])
     draw('a', 'b')
     draw('a')
@@ -110,7 +110,7 @@ describe('a frame', () => {
     ])
   })
 
-  it('drives a face that shows no influence, and draws influence as soon as there is some', () => {
+  it('evaluates the drivers of a face without influence, and draws its influence once there is some', () => {
     const { draw, hidden } = recorded(['a', 'b'])
     draw('a', 'b')
     hidden.add('a')
@@ -122,7 +122,7 @@ describe('a frame', () => {
     expect(log).toEqual(phases('c'))
   })
 
-  it('is separate for each engine, whatever their counts', () => {
+  it('is separate for each engine, whatever numbers of pictures the engines have drawn', () => {
     for (const lead of [0, 1, 2]) {
       const { draw, drawOn } = recorded(['a', 'b'])
       const other = { pictures: lead }
@@ -138,21 +138,21 @@ describe('a frame', () => {
   })
 
   it.each([false, true])(
-    'begins before anything of a picture is drawn, with the picture already counted: %s',
+    'begins before the first draw call of a picture (picture already counted: %s)',
     (isCounted) => {
       const all = recorded(['a', 'b'])
       const draw = early(all, isCounted)
-      // Includes members that never ran.
+      // The phases of `b` run although `b` has never been drawn.
       expect(draw('a')).toEqual([...phases('a', 'b'), 'picture', 'draw a'])
       expect(draw('a')).toEqual([...phases('a'), 'picture', 'draw a'])
       expect(draw('a', 'b')).toEqual([...phases('a'), 'picture', 'draw a', ...phases('b'), 'draw b'])
-      // A picture without members does not remove them.
+      // The members' phases run even for pictures in which no member is drawn.
       for (let i = 0; i < 2; i++) expect(draw()).toEqual([...phases('a', 'b'), 'picture'])
       expect(draw('b', 'a')).toEqual([...phases('a', 'b'), 'picture', 'draw b', 'draw a'])
     },
   )
 
-  it('delays members that need it until the first is drawn, and runs them together', () => {
+  it('runs all late members together when the first late member is drawn', () => {
     const all = recorded(['a', 'late', 'later'])
     for (const name of ['late', 'later']) all.entries[name].isLate = true
     const draw = early(all)
@@ -187,7 +187,7 @@ describe('a frame', () => {
     }
   })
 
-  it('can be updated manually, up to the activations if nothing is drawn', () => {
+  it('can be updated manually; without an engine, the update ends after the activations', () => {
     const { frame, entries, engine, log } = recorded(['a', 'b'])
     frame.update(entries.b, null)
     expect(log).toEqual(['inputs b', 'drivers b', 'activations b'])
@@ -206,7 +206,7 @@ function wrinklesOn<M extends Mesh>(mesh: M) {
   return { mesh, wrinkles, draw: frameOf(mesh) }
 }
 
-/** Two instances with the blendshape at 0.25 and 0.75. */
+/** Creates two instances of a mesh, with the blendshape at 0.25 and 0.75. */
 function instances() {
   const pose = blendMesh('jawOpen')
   const mesh = new InstancedMesh(pose.geometry, pose.material, 2)
@@ -228,7 +228,7 @@ describe('instances', () => {
     expect(activations('brow')).toEqual([0.25, 0.75])
   })
 
-  it.each(['paper', 'composed'] as const)('are refused by mode %s, which has one face for all', (mode) => {
+  it.each(['paper', 'composed'] as const)('are refused by mode %s, which does not support them', (mode) => {
     const { wrinkles, draw, activations } = instances()
     expect(() => {
       wrinkles.mode = mode
@@ -247,7 +247,7 @@ describe('instances', () => {
   })
 })
 
-it("keep set activations of areas driven only by age, also before a VRM's expressions are found", () => {
+it('age adds to the activation set for an area without other drivers, also before a VRM has expressions', () => {
   const { wrinkles, draw } = wrinklesOn(blendMesh())
   let found = 0
   const expressions = () => {
@@ -265,7 +265,7 @@ it("keep set activations of areas driven only by age, also before a VRM's expres
   expect(found).toBe(1)
 })
 
-it('know driven areas from the drivers alone', () => {
+it('wrinkles know driven areas from the drivers alone', () => {
   const { wrinkles } = wrinklesOn(blendMesh())
   const between: WrinkleDriver = {
     type: 'area',

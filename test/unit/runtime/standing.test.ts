@@ -38,7 +38,7 @@ function makeFaces() {
   return Array.from({ length: FACES }, () => new Face(slots, AREAS))
 }
 
-/** Runs a frame. Returns the activations of the first area, and the number of evaluated faces. */
+/** Runs a frame. Returns the activation of the first area of each face, and the number of faces whose drivers were evaluated. */
 function run(drivers: DriverRuntime<unknown>, faces: readonly Face[], clock = { now: () => 0 }) {
   evaluated.mockClear()
   drivers.readInputs(faces, clock, null)
@@ -51,7 +51,7 @@ function run(drivers: DriverRuntime<unknown>, faces: readonly Face[], clock = { 
 }
 
 describe('drivers of blendshapes', () => {
-  it('are evaluated for faces whose blendshapes moved', () => {
+  it('are evaluated only for faces whose blendshapes have moved', () => {
     const [drivers, faces] = [runtimeOf(DRIVERS), makeFaces()]
     expect(run(drivers, faces)).toEqual({ brows: [0, 0.25, 0.5], count: FACES })
     expect(run(drivers, faces)).toEqual({ brows: [0, 0.25, 0.5], count: 0 })
@@ -63,7 +63,7 @@ describe('drivers of blendshapes', () => {
   it('are evaluated if the application changes activations or areas', () => {
     const [drivers, faces] = [runtimeOf(DRIVERS), makeFaces()]
     run(drivers, faces)
-    // Lasts until the next frame.
+    // An activation that the application sets lasts until the next frame.
     faces[2].activations.set('brow', 0.125)
     expect(run(drivers, faces)).toEqual({ brows: [0, 0.25, 0.5], count: 1 })
     faces[0].setResting('brow', 0.125)
@@ -104,7 +104,7 @@ describe('drivers with inputs and delays', () => {
     expect(run(drivers, faces).count).toBe(0)
   })
 
-  it('are evaluated until a face has come to rest, also after its clock was stopped', () => {
+  it('are evaluated until all delays have ended, also after the clock was stopped for a while', () => {
     const drivers = runtimeOf([...DRIVERS, { type: 'time', area: 'brow', attack: 0.1, release: 0.1 }])
     const faces = makeFaces()
     let milliseconds = 0
@@ -124,7 +124,7 @@ describe('drivers with inputs and delays', () => {
 })
 
 describe('cells of still faces', () => {
-  it('are redrawn once small changes have added up', () => {
+  it('are redrawn when small changes have added up', () => {
     const [face] = makeFaces()
     face.activations.set('brow', 0.5)
     const cells = new AtlasCells(8, 8)
@@ -143,7 +143,7 @@ describe('cells of still faces', () => {
       return draw()
     })
     expect(moved).toEqual([false, false, true])
-    // Frame in which it could not be drawn.
+    // Runs a frame in which the cell is not drawn.
     face.activations.set('brow', 0.25)
     cells.changes = 0
     cells.collect(added)

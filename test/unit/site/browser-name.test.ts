@@ -12,14 +12,14 @@ const withHints = (fullVersionList: object[] | undefined) =>
     },
   })
 
-it('is taken from the client hints, without the made-up brand', async () => {
+it('is taken from the client hints, without the fake brand that browsers add', async () => {
   withHints([brand('Not;A=Brand', '8.0'), brand('Chromium', '141.0.1'), brand('Google Chrome', '141.0.2')])
   expect(await browserName()).toBe('Google Chrome 141.0.2, Windows 15.0.0')
   withHints([brand('Chromium', '141.0.1'), brand('Not(A:Brand', '24')])
   expect(await browserName()).toBe('Chromium 141.0.1, Windows 15.0.0')
 })
 
-it('is the user agent without client hints', async () => {
+it('is the user agent if there are no client hints', async () => {
   vi.stubGlobal('navigator', { userAgent: 'Mozilla/5.0 of a browser' })
   expect(await browserName()).toBe('Mozilla/5.0 of a browser')
   withHints(undefined)

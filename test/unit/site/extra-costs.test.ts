@@ -18,7 +18,7 @@ function resultOf(variant: string, ratioToPlain: number, changes: Partial<Result
   }
 }
 
-it('are of moving areas, by renderer, relative to the longest', () => {
+it('are those of moving areas, by renderer, with bars relative to the longest', () => {
   const webgpu = { renderer: 'webgpu', adapter: 'b' } as const
   const charts = extraCosts([
     resultOf('plain', 1),
@@ -47,7 +47,7 @@ it('are of moving areas, by renderer, relative to the longest', () => {
   ])
 })
 
-it('have no bar if noise made wrinkles faster', () => {
+it('have no bar if noise made the measurement with wrinkles faster', () => {
   const [{ bars }] = extraCosts([resultOf('plain', 1), resultOf('auto', 0.9), resultOf('furrow', 1.1)])
   expect(bars.map(({ length }) => length)).toEqual([0, 1])
 })

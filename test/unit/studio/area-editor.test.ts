@@ -36,7 +36,7 @@ describe('the selected area', () => {
     expect(areas.chosen.value!.weights).toEqual(weightsOf(7))
   })
 
-  it('is none after removal, and the same again after undo', () => {
+  it('is deselected when it is removed, and selected again by undo', () => {
     areas.choose('frown')
     areas.remove('frown')
     expect(chosen()).toBeUndefined()
@@ -44,14 +44,14 @@ describe('the selected area', () => {
     expect(chosen()).toBe('frown')
   })
 
-  it('keeps its name if the new one is refused', () => {
+  it('keeps its name if the new name is refused', () => {
     areas.choose('frown')
     areas.rename('frown', 'cheeks')
     expect(chosen()).toBe('frown')
-    expect(errors).toEqual([expect.stringContaining('two of the areas would have one name')])
+    expect(errors).toEqual([expect.stringContaining('another area already has this name')])
   })
 
-  it('is none on another face', () => {
+  it('is deselected when another project is opened', () => {
     areas.choose('frown')
     areas.toggleMute('frown')
     session.open(null)
@@ -62,7 +62,7 @@ describe('the selected area', () => {
 })
 
 describe('areas hidden on the stage', () => {
-  it('are muted ones, and all but soloed ones', () => {
+  it('are the muted areas, and all areas except soloed ones if any is soloed', () => {
     areas.toggleMute('frown')
     expect(areas.hidden.value).toEqual(['frown'])
     areas.toggleSolo('cheeks')
@@ -80,7 +80,7 @@ describe('areas hidden on the stage', () => {
     expect(areas.hidden.value).toEqual(['glabella'])
   })
 
-  it('stay the same list while the document changes elsewhere, so that the face need not be redrawn', () => {
+  it('stay the same array while other parts of the document change, so that the face is not redrawn', () => {
     areas.toggleMute('frown')
     const before = areas.hidden.value
     session.edit('Remove lines', (document) => ({ ...document, strokes: [] }))
@@ -95,7 +95,7 @@ describe('areas hidden on the stage', () => {
   })
 })
 
-it("a slider's movement is one undo step until it is released", () => {
+it('moving a slider until its release is one undo step', () => {
   for (const activation of [0.2, 0.4]) areas.set('frown', { activation })
   areas.settle()
   areas.set('frown', { activation: 0.6 })

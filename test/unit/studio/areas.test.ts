@@ -15,14 +15,14 @@ import { areaOf, frozen, sampleDocument, weightsOf } from './sample-document.ts'
 
 const document = frozen(sampleDocument())
 
-/** Returns the parts of a document replaced by an operation. */
+/** Returns the names of the document's fields that an operation replaced. */
 const changedParts = (after: StudioDocument) =>
   (Object.keys(after) as (keyof StudioDocument)[]).filter((key) => after[key] !== document[key])
 
 const areaNames = ({ areas }: StudioDocument) => areas.map(({ name }) => name)
 
 describe('an area', () => {
-  it('is added at the end, and everything else stays', () => {
+  it('is added at the end of the areas, and changes nothing else', () => {
     const area = areaOf('nose', 'up')
     const after = addArea(document, area)
     expect(after.areas.at(-1)).toBe(area)
@@ -30,14 +30,14 @@ describe('an area', () => {
     expect(changedParts(after)).toEqual(['areas'])
   })
 
-  it('can start empty, on the first layer', () => {
+  it('can be added without weights, on the first layer', () => {
     const after = addEmptyArea(document, 'nose')
     expect(after.areas.at(-1)).toMatchObject({ layer: 'up', activation: 0, weights: { width: 4, height: 4 } })
     expect(after.areas.at(-1)!.weights.data).toEqual(new Uint8Array(16))
   })
 
   it.each([
-    ['a taken name', () => addArea(document, areaOf('frown', 'up')), 'two of the areas would have one name'],
+    ['a taken name', () => addArea(document, areaOf('frown', 'up')), 'another area already has this name'],
     ['a name of two lines', () => addEmptyArea(document, 'a\nb'), 'the area has no usable name'],
     [
       'an unknown layer',
@@ -57,12 +57,12 @@ describe('an area', () => {
     expect(add).toThrow(message)
   })
 
-  it('beyond 256 is refused', () => {
+  it('is refused if there are 256 areas already', () => {
     const areas = Array.from({ length: 256 }, (_, i) => areaOf(`area ${i}`, 'up'))
     expect(() => addEmptyArea({ ...document, areas }, 'one more')).toThrow('too many areas, got 257')
   })
 
-  it('is painted alone', () => {
+  it('can be painted without changing other areas', () => {
     const weights = weightsOf(7)
     const after = paintArea(document, 'frown', weights)
     expect(after.areas[1].weights).toBe(weights)
@@ -72,7 +72,7 @@ describe('an area', () => {
     expect(() => paintArea(document, 'frown', { ...weights, width: 3 })).toThrow('another size')
   })
 
-  it('is set within its ranges, on existing layers', () => {
+  it('has settings that must be in their ranges, and a layer that must exist', () => {
     const after = setArea(document, 'frown', { combine: 'max', activation: 0.5, layer: 'up' })
     expect(after.areas[1]).toEqual({ ...document.areas[1], combine: 'max', activation: 0.5, layer: 'up' })
     for (const activation of [-0.1, 1.1, Number.NaN]) {
@@ -86,7 +86,7 @@ describe('an area', () => {
 describe('renaming an area', () => {
   const after = renameArea(document, 'frown', 'glare')
 
-  it('renames it in drivers that drive or read it, and in expressions', () => {
+  it('renames it in expressions, and in drivers that activate it or read it', () => {
     const old = JSON.stringify(document.drivers)
     expect(JSON.stringify(after.drivers)).toBe(old.replaceAll('"frown"', '"glare"'))
   })
@@ -100,7 +100,7 @@ describe('renaming an area', () => {
     })
   })
 
-  it('keeps everything that does not name it', () => {
+  it('keeps the same object for each item that does not name it', () => {
     expect(after.areas[0]).toBe(document.areas[0])
     expect(after.areas[1].weights).toBe(document.areas[1].weights)
     expect(after.drivers[0]).toBe(document.drivers[0])
@@ -110,7 +110,7 @@ describe('renaming an area', () => {
     expect(after.layers).toBe(document.layers)
   })
 
-  it('keeps complete lists that do not name it', () => {
+  it('keeps the same array for each list that does not name it', () => {
     const bare = addEmptyArea(document, 'nose')
     const renamed = renameArea(bare, 'nose', 'snout')
     expect(renamed.strokes).toBe(document.strokes)
@@ -118,9 +118,9 @@ describe('renaming an area', () => {
     expect(renamed.strokeAreas).toBe(document.strokeAreas)
   })
 
-  it('to its own name does nothing, to a taken or invalid name throws', () => {
+  it('does nothing if the name is the same, and throws if it is taken or invalid', () => {
     expect(renameArea(document, 'frown', 'frown')).toBe(document)
-    expect(() => renameArea(document, 'frown', 'cheeks')).toThrow('two of the areas would have one name')
+    expect(() => renameArea(document, 'frown', 'cheeks')).toThrow('another area already has this name')
     expect(() => renameArea(document, 'frown', '')).toThrow('no usable name')
     expect(() => renameArea(document, 'nose', 'snout')).toThrow('no such area, got "nose"')
   })
@@ -129,7 +129,7 @@ describe('renaming an area', () => {
 describe('removing an area', () => {
   const after = removeArea(document, 'frown')
 
-  it('removes the drivers that activate it, and drivers that read nothing else', () => {
+  it('removes drivers that activate it, and drivers that read only this area', () => {
     expect(areaNames(after)).toEqual(['forehead', 'cheeks'])
     const types = after.drivers.map(({ type }) => type)
     expect(types).toEqual(['morph', 'area', 'muscle', 'conflict', 'expression'])
@@ -137,17 +137,17 @@ describe('removing an area', () => {
     expect(after.drivers[1]).toMatchObject({ areas: [{ name: 'forehead', weight: 1 }] })
   })
 
-  it('keeps a muscle that moves the skin', () => {
+  it('keeps its muscle drivers, because they also move the skin', () => {
     const { area, ...muscle } = document.drivers[4] as WrinkleDriver & { area: string }
     expect(after.drivers[2]).toEqual(muscle)
   })
 
-  it('removes its shapes and keeps its strokes', () => {
+  it('removes its stroke shapes and keeps its strokes', () => {
     expect(after.strokes).toBe(document.strokes)
     expect(after.strokeAreas).toEqual([document.strokeAreas![0]])
   })
 
-  it('keeps drivers that never named it', () => {
+  it('keeps drivers that do not name it', () => {
     const without = removeArea(addEmptyArea(document, 'nose'), 'nose')
     expect(without.drivers).toBe(document.drivers)
     expect(without.strokeAreas).toBe(document.strokeAreas)
@@ -159,7 +159,7 @@ describe('removing an area', () => {
 })
 
 describe('duplicating an area', () => {
-  it('copies the drivers that activate it and shares the weights', () => {
+  it('copies the drivers that activate it, and shares its weights', () => {
     const after = duplicateArea(document, 'cheeks')
     expect(areaNames(after)).toEqual(['forehead', 'frown', 'cheeks', 'cheeks 2'])
     expect(after.areas[3].weights).toBe(document.areas[2].weights)
@@ -170,13 +170,13 @@ describe('duplicating an area', () => {
     ])
   })
 
-  it('reads a muscle instead of adding a second one, which would pull the skin twice', () => {
+  it('reads the muscle of the original, because a second muscle would move the skin twice', () => {
     const added = duplicateArea(document, 'frown').drivers.slice(7)
     expect(added.map(({ type }) => type)).toEqual(['morph', 'morph'])
     expect(added[1]).toMatchObject({ area: 'frown 2', targets: [{ name: 'corrugator', weight: 1 }] })
   })
 
-  it('numbers copies of copies consecutively', () => {
+  it('numbers a copy of a copy with the next number', () => {
     const twice = duplicateArea(duplicateArea(document, 'cheeks'), 'cheeks 2')
     expect(areaNames(twice).slice(3)).toEqual(['cheeks 2', 'cheeks 3'])
   })
@@ -188,8 +188,9 @@ describe('duplicating an area', () => {
   })
 })
 
-it('remaking automatic wrinkles keeps the shapes of remaining areas', () => {
+it('making automatic wrinkles again keeps the stroke shapes of areas that remain', () => {
   const areas = document.areas.map((area) => ({ ...area, isAutomatic: area.name === 'frown' }))
+  const strokes = document.strokes.map((stroke) => ({ ...stroke, isAutomatic: true }))
   const { strokeAreas: _, ...made } = document
-  expect(remake({ ...document, areas }, made).strokeAreas).toEqual([document.strokeAreas![0]])
+  expect(remake({ ...document, areas, strokes }, made).strokeAreas).toEqual([document.strokeAreas![0]])
 })

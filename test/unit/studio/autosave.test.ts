@@ -8,7 +8,7 @@ import { frozen, sampleDocument } from './sample-document.ts'
 const start = frozen(sampleDocument())
 const changedBy = (activation: number) => setArea(start, 'frown', { activation })
 
-/** Fake page. */
+/** Fake document of a page, which the test can hide. */
 class Page extends EventTarget {
   visibilityState: DocumentVisibilityState = 'visible'
 
@@ -18,7 +18,7 @@ class Page extends EventTarget {
   }
 }
 
-/** Saves that the test finishes. */
+/** Records the saved documents. Each save takes until the test ends it. */
 class Saves {
   readonly documents: StudioDocument[] = []
   running = 0
@@ -67,7 +67,7 @@ describe('automatic saving', () => {
     expect(kind()).toBe('saved')
   })
 
-  it('saves a change immediately, and says so', async () => {
+  it('saves a change immediately, and reports its progress', async () => {
     const { document, saves, kind } = begin()
     document.value = changedBy(0.1)
     expect(kind()).toBe('saving')
@@ -78,7 +78,7 @@ describe('automatic saving', () => {
     expect(kind()).toBe('saved')
   })
 
-  it('saves at most once a second, and every change within a second', async () => {
+  it('saves at most once a second, and each change within a second', async () => {
     const { document, saves } = begin()
     for (let i = 1; i <= 29; i++) {
       document.value = changedBy(i / 100)
@@ -105,7 +105,7 @@ describe('automatic saving', () => {
     expect([kind(), saves.most]).toEqual(['saved', 1])
   })
 
-  it('saves before a hidden page does anything else', async () => {
+  it('saves in the same task when the page is hidden', async () => {
     const { document, saves, page } = begin()
     document.value = changedBy(0.1)
     await vi.advanceTimersByTimeAsync(0)
@@ -115,7 +115,7 @@ describe('automatic saving', () => {
     expect(saves.documents.at(-1)).toBe(document.value)
   })
 
-  it('saves right after the save in progress if the page is hidden', async () => {
+  it('saves right after a save in progress when the page is hidden', async () => {
     const { document, saves, page } = begin()
     document.value = changedBy(0.1)
     await vi.advanceTimersByTimeAsync(0)
@@ -126,7 +126,7 @@ describe('automatic saving', () => {
     expect(saves.most).toBe(1)
   })
 
-  it('reports why it failed, and tries again', async () => {
+  it('reports why a save failed, and tries again', async () => {
     const { document, saves, autosave, kind } = begin()
     document.value = changedBy(0.1)
     await vi.advanceTimersByTimeAsync(0)
@@ -143,7 +143,7 @@ describe('automatic saving', () => {
     expect(kind()).toBe('saved')
   })
 
-  it('is up to date if a change that failed to save is undone', async () => {
+  it('has nothing to save after a change that failed to save is undone', async () => {
     const { document, saves, kind } = begin()
     document.value = changedBy(0.1)
     await vi.advanceTimersByTimeAsync(0)
@@ -154,7 +154,7 @@ describe('automatic saving', () => {
     expect(saves.documents.length).toBe(1)
   })
 
-  it('flushes unsaved changes after the save in progress', async () => {
+  it('saves unsaved changes right after the save in progress when asked to flush', async () => {
     const { document, saves, autosave } = begin()
     document.value = changedBy(0.1)
     await vi.advanceTimersByTimeAsync(0)
@@ -168,7 +168,7 @@ describe('automatic saving', () => {
     expect(saves.documents.length).toBe(2)
   })
 
-  it('saves unsaved changes when it ends', async () => {
+  it('saves unsaved changes when it is disposed', async () => {
     const { document, saves, autosave, page } = begin()
     document.value = changedBy(0.1)
     const disposed = autosave.dispose()
@@ -181,7 +181,7 @@ describe('automatic saving', () => {
     expect(saves.documents.length).toBe(1)
   })
 
-  it('saves the last document when disposed, although another face is open by then', async () => {
+  it('saves its own last document when it is disposed, even if another face is open by then', async () => {
     const { document, saves, autosave } = begin()
     document.value = changedBy(0.25)
     await vi.advanceTimersByTimeAsync(0)

@@ -21,7 +21,7 @@ beforeAll(async () => {
 
 afterAll(() => rmSync(folder, { recursive: true, force: true }))
 
-it('bakes the same normal map as furrow bake from the same files', async () => {
+it('makes the same normal map as `furrow bake` does from the same files', async () => {
   const output = at.file('normal.png')
   const options = ['-o', output, '--mesh', 'skin', '--size', `${SIZE}`, '--tangents', 'derivative']
   await at.run(join(folder, 'sculpt.glb'), join(folder, 'face.glb'), ...options)
@@ -33,14 +33,14 @@ it('bakes the same normal map as furrow bake from the same files', async () => {
   expect(steps.at(-1)).toBe(1)
 })
 
-it('refuses a sculpt away from the skin in one line', async () => {
+it('refuses a sculpt that is not at the skin, with a message of one line', async () => {
   const target = { face: read('face.glb'), mesh: 'skin', size: SIZE }
   await expect(bakeSculpt(read('elsewhere.glb'), target)).rejects.toThrow(
     /^bakeMaps: no ray hit .*; align both meshes/,
   )
 })
 
-it('refuses a file that is no model in one line', async () => {
+it('refuses a file that is not a model, with a message of one line', async () => {
   const sculpt = { name: 'sculpt.png', bytes: new Uint8Array(40) }
   const target = { face: read('face.glb'), size: SIZE }
   await expect(bakeSculpt(sculpt, target)).rejects.toThrow(/^Studio: .*sculpt\.png/)

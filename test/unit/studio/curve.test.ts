@@ -37,18 +37,18 @@ describe('a moved point', () => {
     expect(movePoint(line, 1, [0.3333, 0.6666], UNIT)[1]).toEqual([0.33, 0.67])
   })
 
-  it('stays between its neighbours', () => {
+  it('stays between its neighbour points', () => {
     expect(movePoint(line, 1, [2, 0.2], UNIT)[1]).toEqual([0.99, 0.2])
     expect(movePoint(line, 1, [-2, 0.2], UNIT)[1]).toEqual([0.01, 0.2])
     expect(movePoint(line, 0, [0.9, 0], UNIT)[0]).toEqual([0.49, 0])
   })
 
-  it('stays within the ranges', () => {
+  it('stays within the ranges of inputs and outputs', () => {
     expect(movePoint(line, 0, [-1, -1], UNIT)[0]).toEqual([0, 0])
     expect(movePoint(line, 2, [3, 3], UNIT)[2]).toEqual([1, 1])
   })
 
-  it('keeps its input if its neighbours leave no step', () => {
+  it('keeps its input if there is no step between its neighbours', () => {
     const narrow: Curve = [
       [0.5, 0],
       [0.505, 0.5],
@@ -57,7 +57,7 @@ describe('a moved point', () => {
     expect(movePoint(narrow, 1, [0.9, 0.1], UNIT)[1]).toEqual([0.505, 0.1])
   })
 
-  it('does not modify the old curve or other points', () => {
+  it('does not modify the old curve, and keeps the other points', () => {
     const moved = movePoint(line, 1, [0.4, 0.4], UNIT)
     expect(moved).not.toBe(line)
     expect(moved[0]).toBe(line[0])
@@ -65,7 +65,7 @@ describe('a moved point', () => {
     expect(line[1]).toEqual([0.5, 0.2])
   })
 
-  it('never makes a curve with non-increasing inputs, wherever points are dragged', () => {
+  it('leaves the inputs of the curve strictly increasing, wherever it is dragged', () => {
     const random = seeded(1)
     let curve = line
     for (let i = 0; i < 500; i++) {
@@ -80,18 +80,18 @@ describe('a moved point', () => {
 })
 
 describe('an added point', () => {
-  it('lies on the curve, which keeps its shape', () => {
+  it('lies on the curve and does not change its shape', () => {
     const more = addPoint(line, 0.75, UNIT)
     expect(more).toHaveLength(4)
     expect(more[2]).toEqual([0.75, 0.6])
     for (const input of [0, 0.2, 0.6, 0.9]) expect(curveAt(more, input)).toBeCloseTo(curveAt(line, input), 10)
   })
 
-  it('is none at an existing point', () => {
+  it('is not added at an existing point', () => {
     expect(addPoint(line, 0.502, UNIT)).toEqual(line)
   })
 
-  it('goes into the widest gap', () => {
+  it('is added in the middle of the widest gap', () => {
     const uneven: Curve = [
       [0, 0],
       [0.2, 0.1],
@@ -108,11 +108,11 @@ it('the last two points cannot be removed', () => {
 })
 
 describe('the displayed range of a curve', () => {
-  it('is the default range if the curve fits', () => {
+  it('is the default range if the curve fits in it', () => {
     expect(rangeAround(line, [0, 1])).toEqual([0, 1])
   })
 
-  it('otherwise has a margin at both ends', () => {
+  it('is otherwise the range of the curve with a margin at both ends', () => {
     const loudness: Curve = ramp(60, 95)
     const [low, high] = rangeAround(loudness)
     expect(low).toBeLessThan(60)

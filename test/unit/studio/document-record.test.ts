@@ -55,7 +55,7 @@ describe('the record of a document', () => {
   })
 
   it.each([undefined, null, 5, {}, { version: 1 }, { version: 1, document: [] }])(
-    'throws one error if it is %j',
+    'is refused with one kind of error if it is %j',
     (value) => {
       expect(() => open(value)).toThrow(/^Studio: /)
     },

@@ -27,7 +27,7 @@ function open() {
 }
 
 describe('a new driver', () => {
-  it.each(AREA_DRIVER_TYPES)('of type %s is valid in files, and can be added and undone', (type) => {
+  it.each(AREA_DRIVER_TYPES)('of type %s is valid in files, can be added, and is removed by undo', (type) => {
     const { session, editor, errors, drivers } = open()
     const before = drivers()
     editor.add(createDriver(type, 'cheeks', session.document.peek()!, face)!)
@@ -43,14 +43,14 @@ describe('a new driver', () => {
     expect(targets[0].name).toBe('browInnerUp')
   })
 
-  it('does not take an existing name', () => {
+  it('gets the name of an input that no other driver has', () => {
     const document = sampleDocument()
     const first = createDriver('input', 'cheeks', document, face)!
     const second = createDriver('input', 'cheeks', { ...document, drivers: [first] }, face)!
     expect((second as { name: string }).name).not.toBe((first as { name: string }).name)
   })
 
-  it('is none if the face has nothing to read', () => {
+  it('is not offered if the face has nothing that it could read', () => {
     const bare: Drivable = { pose: new Map(), targets: [], joints: [], muscle: () => null }
     const { areas, ...document } = sampleDocument()
     const alone = { ...document, areas: areas.slice(0, 1) }
@@ -61,7 +61,7 @@ describe('a new driver', () => {
 })
 
 describe('a change of a driver', () => {
-  it('is one step while a point is dragged, and another after its release', () => {
+  it('is one undo step until a dragged point is released, and another step afterwards', () => {
     const { session, editor, drivers } = open()
     const before = drivers()
     const drag = (input: number) => editor.set(0, 'curve', { curve: ramp(input, 1) })
@@ -79,7 +79,7 @@ describe('a change of a driver', () => {
     expect(curveAt(curve(), 0.65)).toBeCloseTo(0.5, 10)
   })
 
-  it('of two drivers is two steps', () => {
+  it('is a step for each of two drivers', () => {
     const { session, editor, drivers } = open()
     editor.set(0, 'rule', { rule: 'max' })
     editor.set(1, 'rule', { rule: 'max' })
@@ -88,7 +88,7 @@ describe('a change of a driver', () => {
     expect((drivers()[1] as MorphDriver).rule).toBe('sum')
   })
 
-  it('is refused with an error if invalid in files, and the driver stays', () => {
+  it('is refused with an error if it is invalid in files, and the driver stays', () => {
     const { editor, errors, drivers } = open()
     const before = drivers()
     editor.set(0, 'curve', { curve: [[0, 0]] })
@@ -96,7 +96,7 @@ describe('a change of a driver', () => {
     expect(drivers()).toBe(before)
   })
 
-  it('removes a field that is set to nothing', () => {
+  it('removes a field that is set to undefined', () => {
     const { session, editor, drivers } = open()
     const bone = { type: 'bone', joints: ['a', 'b'], measure: 'angle', axis: [1, 0, 0] }
     const [driver] = parseDrivers(
@@ -114,7 +114,7 @@ describe('a change of a driver', () => {
     expect(drivers().at(-1)).not.toHaveProperty('axis')
   })
 
-  it('can remove it, and undo restores its position', () => {
+  it('can remove the driver, and undo restores it at its position', () => {
     const { session, editor, drivers } = open()
     const before = drivers()
     editor.remove(1)

@@ -17,23 +17,23 @@ const morph = (names: string[], rule = 'sum') => ({
   targets: names.map((name) => ({ name })),
 })
 
-describe('an invalid driver is reported with a remedy:', () => {
-  it('not a valid one', () => {
+describe('driverProblems', () => {
+  it('finds nothing in a valid driver', () => {
     expect(problemsOf([morph(['browInnerUp', 'browOuterUpLeft'])])).toEqual([])
   })
 
-  it('not one of another area', () => {
+  it('finds nothing in the drivers of other areas', () => {
     expect(problemsOf([morph(['noseSneerLeft'])], 'nose')).toEqual([])
   })
 
-  it('a blendshape that the face lacks', () => {
+  it('finds a blendshape that the face lacks, with a remedy', () => {
     const [[index, { text, remedy }]] = problemsOf([morph(['browInnerUp']), morph(['noseSneerLeft'])])
     expect(index).toBe(1)
     expect(text).toContain('no blendshape noseSneerLeft')
     expect(remedy).not.toBe('')
   })
 
-  it('an area that drives itself', () => {
+  it('finds an area that drives itself, and suggests removing the driver', () => {
     const circle = [
       { type: 'area', area: 'brow', areas: [{ name: 'nose' }] },
       { type: 'area', area: 'nose', areas: [{ name: 'brow' }] },
@@ -43,13 +43,13 @@ describe('an invalid driver is reported with a remedy:', () => {
     expect(problem.removes).toBe(index)
   })
 
-  it('a delay that a later one replaces', () => {
+  it('finds a delay that a later one replaces', () => {
     const delay = { type: 'time', area: 'brow', attack: 0.1 }
     const problems = problemsOf([delay, delay])
     expect(problems.map(([index, { removes }]) => [index, removes])).toEqual([[0, 0]])
   })
 
-  it('a type of a later version', () => {
+  it('finds a type of driver of a later version', () => {
     expect(problemsOf([{ type: 'breath', area: 'brow' }])[0][1].text).toContain('breath')
   })
 
@@ -57,19 +57,19 @@ describe('an invalid driver is reported with a remedy:', () => {
     ['min', 'never shows'],
     ['product', 'never shows'],
     ['sum', 'less'],
-  ])('two blendshapes that cancel each other, by the rule %s', (rule, text) => {
+  ])('finds two blendshapes that cancel each other, with the rule %s', (rule, text) => {
     const [[index, problem]] = problemsOf([conflict, morph(['browDownLeft', 'browInnerUp'], rule)])
     expect(index).toBe(1)
     expect(problem.text).toContain(text)
     expect(problem.removes).toBe(0)
   })
 
-  it('but not if the larger of the two counts', () => {
+  it('finds nothing if the rule takes the larger of the two', () => {
     expect(problemsOf([conflict, morph(['browDownLeft', 'browInnerUp'], 'max')])).toEqual([])
   })
 })
 
-it("an area lists the conflicts of its drivers' blendshapes in any spelling, and those that concern no area", () => {
+it("an area lists the conflicts of its drivers' blendshapes, in any spelling, and conflicts that concern no area", () => {
   const drivers = parseDrivers(
     [
       morph(['browInnerUp_L', 'browInnerUp']),

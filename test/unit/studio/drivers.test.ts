@@ -7,7 +7,7 @@ import { DRIVERS, frozen, sampleDocument } from './sample-document.ts'
 const document = frozen(sampleDocument())
 const driver = document.drivers[0]
 
-/** Returns the sum of the last driver's links in a pose. */
+/** Returns the sum of the last driver's links at the weights of a pose. */
 function sumIn(pose: ReadonlyMap<string, number>, drivers: readonly WrinkleDriver[]): number {
   const { targets } = drivers.at(-1) as { targets: { name: string; weight: number }[] } & WrinkleDriver
   return targets.reduce((sum, { name, weight }) => sum + weight * pose.get(name)!, 0)
@@ -26,24 +26,24 @@ describe('recording a pose', () => {
     expect(after.areas).toBe(document.areas)
   })
 
-  it('keeps that sum with many blendshapes', () => {
+  it('makes a driver whose sum is 1 in the pose, even with many blendshapes', () => {
     const pose = new Map(Array.from({ length: 60 }, (_, i) => [`shape ${i}`, 0.5]))
     expect(sumIn(pose, recordPose(document, 'cheeks', pose).drivers)).toBeCloseTo(1, 2)
   })
 
-  it("replaces only this area's drivers of blendshapes", () => {
+  it('replaces only the morph drivers of this area', () => {
     const after = recordPose(document, 'frown', new Map([['jawOpen', 1]]))
     expect(after.drivers.length).toBe(document.drivers.length)
     expect(after.drivers).not.toContain(document.drivers[1])
     expect(document.drivers.filter((each) => after.drivers.includes(each))).toHaveLength(6)
   })
 
-  it('at rest only removes them', () => {
+  it('removes these drivers, and adds none, if the pose is at rest', () => {
     const after = recordPose(document, 'frown', new Map([['jawOpen', 0.005]]))
     expect(after.drivers).toEqual(document.drivers.filter((each) => each !== document.drivers[1]))
   })
 
-  it('gives 1 as drivers read the pose, after conflicts', () => {
+  it('makes a driver whose sum is 1 for the weights that remain after conflicts', () => {
     const pose = new Map([
       ['browInnerUp', 1],
       ['browDownLeft', 0.25],
@@ -61,7 +61,7 @@ describe('recording a pose', () => {
     expect(read.parts[0].links.map(({ link }) => link.name)).toEqual(['browInnerUp'])
   })
 
-  it('throws for blendshapes that cancel each other', () => {
+  it('throws if the blendshapes of the pose cancel each other', () => {
     const pose = new Map([
       ['browInnerUp', 0.5],
       ['browDownLeft', 0.5],
@@ -77,7 +77,7 @@ describe('recording a pose', () => {
 })
 
 describe('a driver', () => {
-  it('is added, replaced and removed in its position', () => {
+  it('can be added, replaced and removed, and others keep their positions', () => {
     const added = addDriver(document, { type: 'morph', area: 'cheeks', targets: [{ name: 'smile' }] })
     expect(added.drivers.slice(0, 7).every((each, i) => each === document.drivers[i])).toBe(true)
     const [whole] = parseDrivers(
@@ -91,7 +91,7 @@ describe('a driver', () => {
     expect(removeDriver(document, 0).drivers).toEqual(document.drivers.slice(1))
   })
 
-  it('is refused if malformed or for an unknown area', () => {
+  it('is refused if it is malformed or names an unknown area', () => {
     const wrong = { ...driver, area: 'nose' } as WrinkleDriver
     expect(() => addDriver(document, wrong)).toThrow('Studio: drivers[0].area')
     expect(() => setDriver(document, 0, { type: 'morph', area: 'frown' })).toThrow('drivers[0].targets')

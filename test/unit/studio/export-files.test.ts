@@ -13,7 +13,7 @@ import { sampleDocument, strokeOf } from './sample-document.ts'
 
 const shop = new Workshop()
 
-/** Returns the files of a folder as a page receives them. */
+/** Makes a folder of wrinkles, and returns its path, and its files as a page receives them. */
 async function projectAt(name: string) {
   const folder = await shop.makeFolder(name)
   const entries = Object.entries(shop.files(name))
@@ -25,7 +25,7 @@ async function projectAt(name: string) {
 
 const SIDE = 32
 
-/** Maps of a line across the middle. */
+/** Maps of drawn lines. */
 const LINES: StrokeMaps = {
   normal: { width: SIDE, height: SIDE, data: texels(4, (i) => 100 + (i % 50)) },
   occlusion: { width: SIDE, height: SIDE, data: texels(1, (i) => 200 + (i % 50)) },
@@ -43,7 +43,7 @@ function texels(channels: number, valueAt: (index: number) => number): Uint8Arra
   return Uint8Array.from({ length: channels * SIDE ** 2 }, (_, i) => valueAt(i))
 }
 
-/** Returns a document whose first layer has lines instead of its maps, and whose last has neither. */
+/** Returns a document with a stroke on its first layer, and without maps on the others. */
 function withLines(document: StudioDocument): StudioDocument {
   const [age, ...others] = document.layers
   const layers = [age, ...others.map((layer) => ({ ...layer, maps: {} }))]
@@ -61,18 +61,18 @@ describe('the files next to a face', () => {
   const bytes = Uint8Array.of(1, 2, 3)
   const read = referencesIn(new Map([['images/my skin.png', bytes]]), 'face.gltf', 'Studio')
 
-  it('are found by any form of their URLs, each as one object', async () => {
+  it('are found by any form of their URLs, and each is always the same object', async () => {
     const found = await read('images/my%20skin.png')
     expect(found).toEqual({ bytes, path: 'images/my skin.png' })
     expect(await read('./images\\x/../my skin.png')).toBe(found)
   })
 
-  it('are found by the URL itself if dropped from elsewhere', async () => {
+  it('are found if their path is the URL itself, with its escapes', async () => {
     const read = referencesIn(new Map([['tex/skin%20a.png', bytes]]), 'face.gltf', 'Studio')
     expect(await read('tex/skin%20a.png')).toEqual({ bytes, path: 'tex/skin a.png' })
   })
 
-  it('are not needed for data URIs', async () => {
+  it('are not needed for data: URLs', async () => {
     expect(await read('data:;base64,AQID')).toEqual({ bytes })
     expect(await read('data:,%01b')).toEqual({ bytes: Uint8Array.of(1, 98) })
   })
@@ -93,7 +93,7 @@ describe('the files next to a face', () => {
 })
 
 describe('a project', () => {
-  it('exports the bytes of furrow pack, validated, and reads back as a project', async () => {
+  it('exports the same bytes as `furrow pack`, which are valid and open as a project', async () => {
     const { files, face } = await projectAt('whole')
     const { document } = await readProject(opened(files), 'whole')
     const images = { document, drawn: new Map() }
@@ -124,7 +124,7 @@ describe('a project', () => {
     expect(Buffer.from(twice).equals(bytes)).toBe(true)
   })
 
-  it('keeps shape corrections in the file, like furrow pack', async () => {
+  it('keeps shape corrections in the exported file, like `furrow pack`', async () => {
     const { files, face } = await projectAt('corrected')
     const { document } = await readProject(opened(files), 'corrected')
     const shapes = [{ target: 'smile', shape: 'mouthFrown' }, { target: 'jaw' }]
@@ -135,7 +135,7 @@ describe('a project', () => {
     expect((await readDocument({ name: 'out.glb', bytes }))!.shapes).toEqual(shapes)
   })
 
-  it('without areas is refused in one line', async () => {
+  it('without areas is refused with a message of one line', async () => {
     const { face } = await projectAt('begun')
     const document = { ...sampleDocument(), areas: [], drivers: [] }
     await expect(exportDocument(face, { document, drawn: new Map() })).rejects.toThrow(
@@ -143,7 +143,7 @@ describe('a project', () => {
     )
   })
 
-  it('is undefined in a face without wrinkles', async () => {
+  it('does not exist in a face without wrinkles', async () => {
     const { face } = await projectAt('bare')
     const { folder, face: bytes } = await readFace(face)
     expect(folder).toBeUndefined()

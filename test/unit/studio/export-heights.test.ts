@@ -8,7 +8,7 @@ import { sampleDocument } from './sample-document.ts'
 
 const SIDE = 64
 
-/** Maps of lines: 0.2 mm deep on the left, 0.1 mm high on the right. */
+/** Maps of drawn lines: the left half is 0.2 mm deep, the right half 0.1 mm high. */
 function lines(): StrokeMaps {
   const texels = SIDE ** 2
   const data = Float32Array.from({ length: texels }, (_, i) => (i % SIDE < SIDE / 2 ? -0.2 : 0.1))
@@ -29,7 +29,7 @@ function documentOf(maps: StudioDocument['layers'][number]['maps'], heightAmplit
 const entryOf = (files: ReadonlyMap<string, Uint8Array>) =>
   JSON.parse(new TextDecoder().decode(files.get('wrinkles.json')!)).layers[0]
 
-it('lines give their layer a height map in millimetres, at half size', async () => {
+it('the lines of a layer are exported as its height map in millimetres, at half size', async () => {
   const document = documentOf({})
   const files = projectFiles({ document, drawn: new Map([['up', lines()]]) })
   expect(entryOf(files)).toMatchObject({
@@ -41,11 +41,11 @@ it('lines give their layer a height map in millimetres, at half size', async () 
     .raw()
     .toBuffer({ resolveWithObject: true })
   expect([info.width, info.height]).toEqual([SIDE / 2, SIDE / 2])
-  // 127.5 is the smooth skin, and 0 the deepest line.
+  // The smooth skin would be 127.5, and the deepest line is 0.
   expect([data[0], data[SIDE / 2 - 1]]).toEqual([0, 191])
 })
 
-it('a project is read without the heights that its lines make again', async () => {
+it('a project is read without the height maps that its lines produce again', async () => {
   const document = documentOf({})
   const files = projectFiles({ document, drawn: new Map([['up', lines()]]) })
   const read = async (paths: (path: string) => boolean) => {
@@ -53,11 +53,11 @@ it('a project is read without the heights that its lines make again', async () =
     return (await readProject(folder, 'Face')).document.layers[0]
   }
   expect(await read(() => true)).toEqual(document.layers[0])
-  // As written by `furrow unpack`.
+  // Without studio.json, like a folder by `furrow unpack`, the layer keeps its height map.
   expect(await read((path) => path !== 'studio.json')).toEqual(document.layers[0])
 })
 
-it("a layer's own height map stays next to lines", async () => {
+it('the own height map of a layer is kept if the layer has lines', async () => {
   const height = { mimeType: 'image/png', bytes: Uint8Array.of(1, 2, 3) }
   const document = documentOf({ height }, 0.02)
   const files = projectFiles({ document, drawn: new Map([['up', lines()]]) })

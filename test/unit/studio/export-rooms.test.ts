@@ -7,12 +7,12 @@ const ROOT = fileURLToPath(new URL('../../../', import.meta.url))
 const EXPORT = join(ROOT, 'studio/src/export')
 const FILES = join(ROOT, 'packages/files')
 
-/** Modules that differ between Node and browsers, by import name. */
+/** Modules with a version for Node and one for browsers, by import name. */
 const PLATFORMS: Record<string, { node: string; default: string }> = JSON.parse(
   readFileSync(join(FILES, 'package.json'), 'utf8'),
 ).imports
 
-/** Packages that run in browsers, by their documentation and by test/gpu/export.test.ts. */
+/** Packages that run in browsers, as their documentation says and test/gpu/export.test.ts shows. */
 const PORTABLE = [
   '@bokuweb/zstd-wasm',
   '@gltf-transform/core',
@@ -29,13 +29,13 @@ const PORTABLE = [
   'three-mesh-bvh',
 ]
 
-/** Returns a file's imports, without types. */
+/** Returns the names that a file imports, except types. */
 function importsOf(path: string): string[] {
   const text = readFileSync(path, 'utf8').replace(/^(import|export) type [^']* from '[^']+'$/gm, '')
   return [...text.matchAll(/(?:from|import|new URL)\s*\(?\s*'([^']+)'/g)].map(([, name]) => name)
 }
 
-/** Returns all our files that the studio's export loads, and packages with a file that imports each. */
+/** Returns our files that the studio's export loads, and the packages, each with a file that imports it. */
 function loaded() {
   const files = new Set<string>()
   const packages = new Map<string, string>()
@@ -53,7 +53,7 @@ function loaded() {
   return { files: [...files], packages }
 }
 
-it("the studio's export is free of Node", () => {
+it("the studio's export imports nothing that needs Node", () => {
   const { files, packages } = loaded()
   expect(files).toContain(join(FILES, 'src/pack/pack.ts'))
   expect([...packages].filter(([name]) => !PORTABLE.includes(name))).toEqual([])
@@ -62,7 +62,7 @@ it("the studio's export is free of Node", () => {
   }
 })
 
-it.each(Object.entries(PLATFORMS))('%s exports the same in Node and in browsers', (_, files) => {
+it.each(Object.entries(PLATFORMS))('%s exports the same names in Node and in browsers', (_, files) => {
   const exportsOf = (file: string) =>
     [...readFileSync(join(FILES, file), 'utf8').matchAll(/^export (?:\{ |(?:async )?function )(\w+)/gm)]
       .map(([, name]) => name)

@@ -13,7 +13,7 @@ async function added(count: number) {
   return error.mock.calls.flat()
 }
 
-describe('images that cannot be areas', () => {
+describe('an image that cannot be an area', () => {
   it.each([
     [1, /^FurrowError: 0\.png: not a readable image/],
     [256, /^256 of 256 images were not added; the first: 0\.png: not a readable image/],

@@ -92,14 +92,14 @@ function activations(): Record<string, number> {
 }
 
 describe('drivers on the stage', () => {
-  it('at rest give the state at rest', () => {
+  it('at rest give the activations at rest', () => {
     pose([0, 0, 0], 0)
     const { lines, ...others } = activations()
     expect(lines).toBeCloseTo(0.1, 6)
     expect(others).toEqual({ brow: 0, glabella: 0, cold: 0.5, neck: 0, cheek: 0 })
   })
 
-  it("of every type give the engine's activations", () => {
+  it('of every type give the same activations as the renderer', () => {
     addDrivers(
       wrinkles,
       DRIVERS.filter(({ type }) => type !== 'time'),
@@ -122,13 +122,13 @@ describe('drivers on the stage', () => {
     }
   })
 
-  it('report the inputs of their links and curves', () => {
+  it('report the inputs of their links and curves, and their results', () => {
     pose([0.7, 0.2, 0], 0)
     const given = drivers.contributions()
     expect(given).toHaveLength(DRIVERS.length)
     expect(given[0]).toBeNull()
     expect(given[7]).toBeNull()
-    // The rest of 0.7 after the conflict, through the link's curve, times 0.5.
+    // The conflict reduces 0.7 to 0.5. The link maps this value by its curve and multiplies the result by 0.5.
     const { inputs: read, links, combined, activation } = given[1]!
     expect(read[0]).toBeCloseTo(0.5, 6)
     expect(links[0]).toBeCloseTo(0.25, 6)
@@ -139,7 +139,7 @@ describe('drivers on the stage', () => {
     expect(drivers.explain('brow')).toEqual(['0.25 of brow from', '0.25 by browInnerUp'])
   })
 
-  it('are found by their blendshapes, and inputs by their names', () => {
+  it('are found by the blendshapes that they read, and inputs by their names', () => {
     expect(drivers.targetsOf('brow')).toEqual(['browInnerUp'])
     expect(drivers.areasOf('browInnerUp')).toEqual(['brow'])
     expect(drivers.input('age')).toBe(20)
@@ -147,14 +147,14 @@ describe('drivers on the stage', () => {
     expect(drivers.input('age')).toBe(44)
   })
 
-  it('are none on a plain face', () => {
+  it('do not exist on a face without wrinkles', () => {
     const none = new FaceDrivers(null, DRIVERS, { inputs, resting })
     expect(none.areaNames).toEqual([])
     expect(none.contributions()).toEqual(DRIVERS.map(() => null))
   })
 })
 
-it('joints come after their parents', () => {
+it('the joints of a face are listed after their parents', () => {
   expect(jointsOf(mesh.parent!)).toEqual([['chest', 'head']])
 })
 
@@ -170,7 +170,7 @@ describe('a muscle of the document', () => {
     return Array.from(mesh.geometry.morphAttributes.position![index].array)
   }
 
-  it('is a blendshape, which follows changes of the muscle', () => {
+  it('adds a blendshape to the face, which changes with the muscle', () => {
     const targets = new MuscleTargets([mesh])
     targets.update(muscle(0.2))
     expect(Object.keys(mesh.morphTargetDictionary!)).toEqual([...SHAPES, 'frontalis'])
@@ -185,7 +185,7 @@ describe('a muscle of the document', () => {
     expect(Math.hypot(...pull())).toBeCloseTo(2 * Math.hypot(...weak), 5)
   })
 
-  it('is removed while others keep pulling, and returns with undo', () => {
+  it('can be removed while other muscles keep moving the skin, and returns with undo', () => {
     const targets = new MuscleTargets([mesh])
     const other = { ...muscle(0.3)[0], name: 'corrugator' }
     targets.update([...muscle(0.2), other])
@@ -202,7 +202,7 @@ describe('a muscle of the document', () => {
     expect(Math.hypot(...pull())).toBeGreaterThan(0)
   })
 
-  it('has a slider that is harmless after removal, while other sliders work', () => {
+  it('has a slider that does nothing after its removal, while other sliders still work', () => {
     const targets = new MuscleTargets([mesh])
     const other = { ...muscle(0.3)[0], name: 'corrugator' }
     targets.update([...muscle(0.2), other])
@@ -217,7 +217,7 @@ describe('a muscle of the document', () => {
     expect(dial('corrugator').read()).toBe(0.7)
   })
 
-  it('does not change a blendshape of the file', () => {
+  it('does not change blendshapes of the file', () => {
     const targets = new MuscleTargets([mesh])
     const before = mesh.geometry.morphAttributes.position![2].array.slice()
     targets.update([{ ...muscle(0.2)[0], name: 'squash' }])

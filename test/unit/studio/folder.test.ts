@@ -20,7 +20,7 @@ import { sampleDocument } from './sample-document.ts'
 
 const shop = new Workshop()
 
-/** Archive by Python's zipfile, with all numbers in the fields of zip64. */
+/** Archive made by Python's zipfile, with all numbers in the 64-bit fields of zip64. */
 const ZIP_64 =
   'UEsDBC0AAAAAAAAAIQDZqbWP//////////8IABQAeC9hLmpzb24BABAAHAAAAAAAAAAcAAAAAAAAAHsiYSI6IFsxLCAxLCAxLCAxLCAxLCAxLCAxXX1QSwMELQAAAAAAAAAhAIamEDb//////////wcAFAB4L2IudHh0AQAQAAUAAAAAAAAABQAAAAAAAABoZWxsb1BLAQItAy0AAAAAAAAAIQDZqbWP//////////8IABQAAAAAAAAAAACAAQAAAAB4L2EuanNvbgEAEAAcAAAAAAAAABwAAAAAAAAAUEsBAi0DLQAAAAAAAAAhAIamEDb//////////wcAHAAAAAAAAAAAAIAB/////3gvYi50eHQBABgABQAAAAAAAAAFAAAAAAAAAFYAAAAAAAAAUEsGBiwAAAAAAAAALQAtAAAAAAAAAAAAAgAAAAAAAAACAAAAAAAAAJsAAAAAAAAAlAAAAAAAAABQSwYHAAAAAC8BAAAAAAAAAQAAAFBLBQYAAAAAAgACAJsAAACUAAAAAAA='
 
@@ -29,7 +29,7 @@ async function imageOf(side: number, value: number) {
   return { mimeType: 'image/png', bytes: new Uint8Array(await sharp({ create }).png().toBuffer()) }
 }
 
-/** Returns the sample with decodable images, non-uniform areas, and all kinds of flags. */
+/** Returns the sample document with valid image files, varying area weights and every kind of setting. */
 async function wholeDocument(): Promise<StudioDocument> {
   const document = sampleDocument()
   const [up, down] = document.layers
@@ -37,11 +37,20 @@ async function wholeDocument(): Promise<StudioDocument> {
     normal: await imageOf(64, 100),
     baseColor: await imageOf(64, 200),
     blood: await imageOf(32, 150),
+    onset: await imageOf(32, 60),
   }
   return {
     ...document,
     layers: [
-      { ...up, kind: 'replace', maps, normalScale: 1.5, occlusionStrength: 0.5, bloodAmplitude: 0.4 },
+      {
+        ...up,
+        kind: 'replace',
+        maps,
+        normalScale: 1.5,
+        occlusionStrength: 0.5,
+        bloodAmplitude: 0.4,
+        onsetStrength: 0.7,
+      },
       { ...down, heightAmplitude: 0.01 },
     ],
     areas: document.areas.map((area, i) => ({
@@ -58,7 +67,7 @@ async function wholeDocument(): Promise<StudioDocument> {
 
 const SIDE = 64
 
-/** Returns maps of lines that differ per layer. */
+/** Returns drawn maps. The value makes them different for each layer. */
 function strokeMaps(value: number): StrokeMaps {
   const texels = SIDE ** 2
   return {
@@ -74,11 +83,11 @@ function drawnMaps({ layers }: StudioDocument): Map<string, StrokeMaps> {
 
 const FACE = [{ path: 'avatar.vrm', file: new Blob(['the face']) }]
 
-/** Returns the files as a page reads them. */
+/** Returns the files as a page receives them. */
 const asRead = (files: readonly FolderFile[]) =>
   files.map(({ path, content }) => ({ path, file: new Blob([content as BlobPart]) }))
 
-/** Returns files of a folder of the workshop. */
+/** Returns the files of a folder in the workshop as a page receives them. */
 function onDisk(name: string) {
   return Object.entries(shop.files(name)).map(([path, base64]) => ({
     path,
@@ -91,7 +100,7 @@ function write(document: StudioDocument, face = FACE): FolderFile[] {
 }
 
 describe('the folder of a project', () => {
-  it('reads back as the same document and face', async () => {
+  it('is read as the same document and face', async () => {
     const document = await wholeDocument()
     const { document: read, face } = await readFolder(asRead(write(document)), 'Face', decodeGray)
     expect(read).toEqual(document)
@@ -99,16 +108,16 @@ describe('the folder of a project', () => {
     expect(await face[0].file.text()).toBe('the face')
   })
 
-  it('keeps names that no file can have', async () => {
+  it('keeps names that cannot be file names', async () => {
     const renamed = renameArea(renameLayer(await wholeDocument(), 'up', 'brow/up?'), 'frown', '..')
     const files = write(renamed)
     for (const { path } of files) expect(path).toMatch(/^[\w/ -]+\.\w+$/)
     const { document } = await readFolder(asRead(files), 'Face', decodeGray)
-    // A stroke's shape must be named like a file.
+    // The shapes of an area in `strokes.json` are dropped if the area's name cannot be a file name.
     expect(document).toEqual({ ...renamed, strokeAreas: [renamed.strokeAreas![0]] })
   })
 
-  it('can hold a document without areas, strokes, drivers and maps', async () => {
+  it('can store a document without areas, strokes, drivers and maps', async () => {
     const bare: StudioDocument = {
       scale: 10,
       mapSize: 32,
@@ -127,7 +136,7 @@ describe('the folder of a project', () => {
     })
   })
 
-  it('has a face with unchanged separate files', async () => {
+  it('stores a face of several files unchanged', async () => {
     const face = ['head/face.gltf', 'head/face.bin', 'skin.png'].map((path) => ({
       path,
       file: new Blob([path]),
@@ -138,7 +147,7 @@ describe('the folder of a project', () => {
     expect(read.face.map(({ path }) => path)).toEqual(face.map(({ path }) => path))
   })
 
-  it('survives a .zip', async () => {
+  it('is the same after it is stored in a .zip', async () => {
     const document = await wholeDocument()
     const zip = await zipFolder(write(document), 'My face')
     const files = await unzipFolder(zip, 'My face.zip')
@@ -146,8 +155,8 @@ describe('the folder of a project', () => {
   })
 })
 
-describe('furrow pack', () => {
-  it('packs the folder', async () => {
+describe('`furrow pack`', () => {
+  it('packs the folder of a project', async () => {
     const document = { ...(await wholeDocument()), mesh: undefined, material: undefined }
     const bytes = readFileSync(join(await shop.makeFolder('hand'), 'face.glb'))
     const face = [{ path: 'avatar.glb', file: new Blob([bytes]) }]
@@ -167,7 +176,7 @@ describe('furrow pack', () => {
 })
 
 describe('a hand-made folder', () => {
-  it('opens without documents, like furrow pack reads it', async () => {
+  it('opens without studio.json, with the same content as `furrow pack` reads', async () => {
     await shop.makeFolder('plain')
     const { document, face } = await readFolder(onDisk('plain'), 'plain', decodeGray)
     expect(document.layers.map(({ name, maps }) => [name, Object.keys(maps)])).toEqual([
@@ -182,7 +191,7 @@ describe('a hand-made folder', () => {
     expect(face.map(({ path }) => path)).toEqual(['face.glb'])
   })
 
-  it('has strokes drawn at the size of its maps', async () => {
+  it('has its strokes drawn at the size of its maps', async () => {
     await shop.makeFolder('sized')
     const { bytes } = await imageOf(32, 128)
     for (const layer of ['age', 'expression'])
@@ -190,7 +199,7 @@ describe('a hand-made folder', () => {
     expect((await readFolder(onDisk('sized'), 'sized', decodeGray)).document.mapSize).toBe(32)
   })
 
-  it('has strokes redrawn instead of their maps', async () => {
+  it('has its strokes drawn again, and the maps made from strokes are skipped', async () => {
     await shop.makeFolder('lines')
     const points = across(0.2, 0.1, 0.4)
     const strokes = [{ layer: 'age', points, width: 2, depth: 1 }]
@@ -200,7 +209,7 @@ describe('a hand-made folder', () => {
     expect(document.layers.map(({ maps }) => Object.keys(maps))).toEqual([[], ['normal', 'baseColor']])
   })
 
-  it('may contain its images as data URIs in the document', async () => {
+  it('may contain its images as data: URLs in the document', async () => {
     const bytes = Uint8Array.from(
       Buffer.from(await encodePng({ width: 2, height: 2, channels: 1, data: new Uint8Array(4) })),
     )
@@ -228,12 +237,12 @@ describe('a hand-made folder', () => {
       },
       'strokes has the wrong number of items',
     ],
-  ])('with %s is one clear message', async (_, files, message) => {
+  ])('with %s fails with one clear message', async (_, files, message) => {
     const list = Object.entries(files).map(([path, text]) => ({ path, file: new Blob([text]) }))
     await expect(readFolder(list, 'hand', decodeGray)).rejects.toThrow(message)
   })
 
-  it('with an invalid studio.json opens as without it', async () => {
+  it('opens as if it had no studio.json if its studio.json is invalid', async () => {
     await shop.makeFolder('odd')
     const without = await readFolder(onDisk('odd'), 'odd', decodeGray)
     for (const text of ['{ "version": 7, "layers": 3 }', '5', 'null', '{ "version": 1', '[]']) {
@@ -248,6 +257,7 @@ describe('a hand-made folder', () => {
     [{ auto: 5 }, 'auto must be an object'],
     [{ auto: {} }, 'auto.strength must be a number'],
     [{ auto: { strength: 1, size: 1024, seed: 1, age: 'old' } }, 'auto.age must be a number'],
+    [{ auto: { strength: 1, size: 1024, seed: 1, symmetry: 2 } }, 'auto.symmetry is out of range'],
     [{ auto: { strength: 1, size: 1024, seed: 1, regions: 'chin' } }, 'auto.regions must be an array'],
     [{ auto: { strength: 1, size: 1024, seed: 1, regions: ['tail'] } }, 'auto.regions[0] is unknown'],
     [{ mapSize: -1 }, 'mapSize is out of range'],
@@ -263,10 +273,10 @@ describe('a hand-made folder', () => {
     [{ face: { path: 5 } }, 'face.path must be text'],
     [{ files: [5] }, 'files[0] must be text'],
   ])(
-    'opens without the invalid part of a studio.json of %j, with one line about it',
+    'opens without the invalid part of studio.json %j, and reports this part in one line',
     async (wrong, problem) => {
       await shop.makeFolder('wrong')
-      // Comparing all weights takes a second.
+      // Leaves out the weights, because comparing all of them takes a second.
       const read = async (json: object) => {
         shop.json('wrong/studio.json', json)
         const { document, face, notes } = await readFolder(onDisk('wrong'), 'wrong', decodeGray)
@@ -277,7 +287,7 @@ describe('a hand-made folder', () => {
     },
   )
 
-  it('keeps valid parts next to invalid ones', async () => {
+  it('keeps the valid parts of studio.json next to invalid ones', async () => {
     await shop.makeFolder('partly')
     const auto = { age: 60, strength: 1, size: 1024, seed: 3, seeds: { chin: 4 }, regions: ['chin'] }
     shop.json('partly/studio.json', { version: 1, auto, mapSize: 5, files: 5 })
@@ -293,14 +303,14 @@ describe('a .zip', () => {
     { path: 'layers/a/normal.png', content: new Blob(['image']) },
   ]
 
-  it('contains one folder, which is stripped on reading', async () => {
+  it('contains one folder, whose name is removed from the paths when it is read', async () => {
     const zip = await zipFolder(files, 'Gesicht ä')
     const read = await unzipFolder(zip, 'a.zip')
     expect(read.map(({ path }) => path)).toEqual(['wrinkles.json', 'layers/a/normal.png'])
     expect(await read[1].file.text()).toBe('image')
   })
 
-  it("is read without operating systems' extra files", async () => {
+  it('is read without the hidden files that operating systems add', async () => {
     const left = ['__MACOSX/._x', '.DS_Store'].map((path) => ({
       path: `../${path}`,
       content: new Uint8Array(1),
@@ -310,9 +320,9 @@ describe('a .zip', () => {
   })
 
   it.each([
-    ['is none', new Blob(['PK but no more'])],
+    ['is not an archive', new Blob(['PK but no more'])],
     ['is empty', new Blob([])],
-  ])('that %s is one clear message', async (_, zip) => {
+  ])('that %s fails with one clear message', async (_, zip) => {
     await expect(unzipFolder(zip, 'a.zip')).rejects.toThrow('Studio: cannot read a.zip')
   })
 
@@ -320,11 +330,11 @@ describe('a .zip', () => {
     ['fewer', 10],
     ['more', 2 ** 22],
     ['far more', 0xfffffff0],
-  ])('with an entry that claims %s bytes more is quickly one message', async (_, claimed) => {
+  ])('with an entry that claims %s bytes than it has fails quickly with one message', async (_, claimed) => {
     const content = new Uint8Array(2 ** 24)
     const zip = new Uint8Array(await (await zipFolder([{ path: 'a.json', content }], 'x')).arrayBuffer())
     const view = new DataView(zip.buffer)
-    // Size in the list of entries, which ends 22 bytes before the end.
+    // Changes the entry's size in the archive's directory. The archive ends with a record of 22 bytes, which locates the directory.
     const list = view.getUint32(zip.length - 6, true)
     expect(view.getUint32(list + 24, true)).toBe(content.length)
     view.setUint32(list + 24, claimed, true)
@@ -336,7 +346,7 @@ describe('a .zip', () => {
     expect(performance.now() - start).toBeLessThan(1000)
   })
 
-  it('is not unpacked if its entries are too large in total', async () => {
+  it('is refused before unpacking if its entries are too large in total', async () => {
     const content = new Uint8Array(1000)
     const files = Array.from({ length: 3 }, (_, i) => ({ path: `${i}.json`, content }))
     const zip = new Uint8Array(await (await zipFolder(files, 'x')).arrayBuffer())
@@ -349,7 +359,7 @@ describe('a .zip', () => {
     await expect(unzipFolder(new Blob([zip]), 'a.zip')).rejects.toThrow('Studio: a.zip is too large')
   })
 
-  it('of thousands of files is one message', async () => {
+  it('with thousands of files is refused with one message', async () => {
     const many = Array.from({ length: 5001 }, (_, i) => ({ path: `${i}.png`, content: new Uint8Array(1) }))
     const zip = await zipFolder(many, 'x')
     await expect(unzipFolder(zip, 'a.zip')).rejects.toThrow(
@@ -357,7 +367,7 @@ describe('a .zip', () => {
     )
   })
 
-  it('by another program is read, including zip64', async () => {
+  it('made by another program is read, including zip64', async () => {
     const wide = Buffer.from(ZIP_64, 'base64')
     const files = await unzipFolder(new Blob([wide]), 'wide.zip')
     expect(files.map(({ path, file }) => [path, file.size])).toEqual([
@@ -375,7 +385,7 @@ describe('a .zip', () => {
     ])
   })
 
-  it('that is truncated or damaged ends in files or in one message', async () => {
+  it('that is truncated or damaged is read, or refused with one message', async () => {
     const bytes = new Uint8Array(await (await zipFolder(files, 'x')).arrayBuffer())
     for (let i = 0; i < bytes.length; i += 3) {
       const damaged = bytes.slice()

@@ -7,7 +7,6 @@ import { frozen, sampleDocument, strokeOf } from './sample-document.ts'
 const start = frozen(sampleDocument())
 const withActivation = (activation: number) => setArea(start, 'frown', { activation })
 
-/** Counts the undo steps. */
 function undoSteps(history: History): number {
   let steps = 0
   for (; history.undoLabel !== undefined; steps++) history.undo()
@@ -15,7 +14,7 @@ function undoSteps(history: History): number {
 }
 
 describe('the history', () => {
-  it('undoes to exactly the previous documents, and redoes', () => {
+  it('returns exactly the previous documents on undo, and the later ones on redo', () => {
     const history = new History(start)
     const [one, two] = [withActivation(0.1), withActivation(0.2)]
     history.push('one', one)
@@ -52,7 +51,7 @@ describe('the history', () => {
     expect([history.undoLabel, history.redoLabel]).toEqual([undefined, 'one'])
   })
 
-  it('merges steps with one key until they settle', () => {
+  it('merges steps with the same key until `settle` is called', () => {
     const history = new History(start)
     history.push('drag', withActivation(0.1), 'slider')
     history.push('drag further', withActivation(0.2), 'slider')
@@ -67,7 +66,7 @@ describe('the history', () => {
     expect(history.document).toEqual(withActivation(0.2))
   })
 
-  it('does not merge steps with different keys or none', () => {
+  it('does not merge steps with different keys or without a key', () => {
     const history = new History(start)
     history.push('a', withActivation(0.1), 'a')
     history.push('b', withActivation(0.2), 'b')
@@ -76,7 +75,7 @@ describe('the history', () => {
     expect(undoSteps(history)).toBe(4)
   })
 
-  it('does not merge into a step from before an undo or redo', () => {
+  it('does not merge a step with one from before an undo or redo', () => {
     const history = new History(start)
     history.push('drag', withActivation(0.1), 'slider')
     history.push('other', withActivation(0.2))
@@ -88,15 +87,15 @@ describe('the history', () => {
     expect(undoSteps(history)).toBe(2)
   })
 
-  it('keeps 2000 small steps', () => {
+  it('keeps at most 2000 steps, however small', () => {
     const history = new History(start)
     for (let i = 1; i <= 2100; i++) history.push('nudge', withActivation(i / 3000))
     expect(undoSteps(history)).toBe(2000)
     expect(history.document).toEqual(withActivation(100 / 3000))
   })
 
-  it('keeps 200 steps of any size, and more up to 64 MB', () => {
-    // Never written to, so that they use no memory.
+  it('keeps 200 steps of any size, and more while they need less than 64 MB', () => {
+    // Nothing is written to the arrays, so the operating system gives them no memory.
     const painted = (side: number, steps: number) => {
       const weights = () => ({ width: side, height: side, data: new Uint8Array(side * side) })
       const history = new History(addEmptyArea({ ...start, areas: [], areaSize: side }, 'large'))
@@ -107,8 +106,8 @@ describe('the history', () => {
     expect(painted(512, 300)).toBe(256)
   })
 
-  it('counts only data that the current document no longer has', () => {
-    // 128 MB in the current document, shared by every step.
+  it('counts only data that is not part of the current document', () => {
+    // The current document has 128 MB, which it shares with every step.
     const bytes = new Uint8Array(2 ** 27)
     const layers = [{ ...start.layers[0], maps: { normal: { mimeType: 'image/png', bytes } } }]
     const history = new History({ ...start, layers })
@@ -117,7 +116,7 @@ describe('the history', () => {
     expect(undoSteps(history)).toBe(300)
   })
 
-  it('counts a dragged slider once, by the data that its step replaced', () => {
+  it('keeps a dragged slider as one step, however long it is dragged', () => {
     const history = new History(start)
     for (let i = 0; i < 5000; i++) history.push('drag', withActivation(i / 5000), 'slider')
     expect(undoSteps(history)).toBe(1)

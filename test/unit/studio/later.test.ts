@@ -2,7 +2,7 @@ import { expect, it, vi } from 'vitest'
 import { nextTask, runInTurn } from '../../../studio/src/later.ts'
 
 it('deferred tasks run one at a time, in order, and not after they are cancelled', async () => {
-  /** Starts the next task, like an idle page. */
+  /** Calls the requested idle callback, like a browser whose page is idle. */
   let rest: (() => void) | null = null
   vi.stubGlobal('requestIdleCallback', (callback: () => void) => {
     rest = callback

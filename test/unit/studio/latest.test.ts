@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest'
 import { Latest } from '../../../studio/src/session/latest.ts'
 
-/** Task whose runs the test finishes. */
+/** Returns a task that records its values. Each run takes until the test ends it. */
 function slowTask() {
   const begun: number[] = []
   const ends: { end(): void; fail(error: Error): void }[] = []
@@ -15,7 +15,7 @@ function slowTask() {
 
 const turn = () => new Promise<void>((resolve) => setTimeout(resolve))
 
-test('only the last of the values during a run gets a run, after the current one', async () => {
+test('of the values that arrive during a run, only the last one is run, after the current run', async () => {
   const { begun, ends, latest } = slowTask()
   for (const value of [1, 2, 3, 4]) void latest.run(value)
   await turn()
@@ -29,7 +29,7 @@ test('only the last of the values during a run gets a run, after the current one
   expect(begun).toEqual([1, 4, 5])
 })
 
-test('a dropped value gets no run', async () => {
+test('a waiting value that is dropped is not run', async () => {
   const { begun, ends, latest } = slowTask()
   void latest.run(1)
   void latest.run(2)
@@ -39,11 +39,22 @@ test('a dropped value gets no run', async () => {
   expect(begun).toEqual([1])
 })
 
-test('a failing run does not prevent the next one', async () => {
+test('a run that fails does not prevent the next one', async () => {
   const { begun, ends, latest } = slowTask()
   const failed = latest.run(1)
   ends[0].fail(new Error('no wrinkles'))
   await expect(failed).rejects.toThrow('no wrinkles')
   void latest.run(2)
   expect(begun).toEqual([1, 2])
+})
+
+test('a value that arrives during a failing run gets a run', async () => {
+  const { begun, ends, latest } = slowTask()
+  const failed = latest.run(1)
+  void latest.run(2)
+  ends[0].fail(new Error('no wrinkles'))
+  await turn()
+  expect(begun).toEqual([1, 2])
+  ends[1].end()
+  await expect(failed).rejects.toThrow('no wrinkles')
 })

@@ -18,7 +18,7 @@ beforeEach(() => {
 const names = () => session.document.value!.layers.map(({ name }) => name)
 const named = (name: string) => session.document.value!.layers.find((layer) => layer.name === name)!
 
-it('adds layers with free names and moves them; at either end nothing happens', () => {
+it('adds layers with new names and moves them, but not past either end', () => {
   layers.add()
   layers.add()
   expect(names()).toEqual(['up', 'down', 'layer', 'layer 2'])
@@ -32,7 +32,7 @@ it('adds layers with free names and moves them; at either end nothing happens', 
   expect(names()).toEqual(['up', 'down'])
 })
 
-it("a slider's movement is one step with its label", () => {
+it('moving a slider is one step, with a label', () => {
   for (const normalScale of [1.2, 1.4, 1.6]) layers.set('up', { normalScale })
   layers.settle()
   layers.set('up', { normalScale: 0.5 })
@@ -56,7 +56,7 @@ it('explains why a layer cannot be removed or renamed, and keeps the document', 
   layers.rename('up', 'down')
   expect(errors).toEqual([
     expect.stringContaining('areas show the layer up'),
-    expect.stringContaining('two of the layers would have one name'),
+    expect.stringContaining('another layer already has this name'),
   ])
   expect(names()).toEqual(['up', 'down'])
 })

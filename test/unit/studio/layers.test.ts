@@ -7,7 +7,7 @@ import {
   setLayer,
   setMap,
 } from '../../../studio/src/document/layers.ts'
-import { addStroke, replaceStroke, strokesOf } from '../../../studio/src/document/strokes.ts'
+import { addStroke, removeStroke, replaceStroke, strokesOf } from '../../../studio/src/document/strokes.ts'
 import { areaOf, frozen, sampleDocument, strokeOf } from './sample-document.ts'
 
 const document = frozen(sampleDocument())
@@ -26,10 +26,10 @@ describe('a layer', () => {
     expect(three.layers[0]).toBe(document.layers[0])
     const four = addLayer(three, 'right')
     expect(() => addLayer(four, 'more')).toThrow('too many layers, got 5, allowed: 4')
-    expect(() => addLayer(document, 'up')).toThrow('two of the layers would have one name')
+    expect(() => addLayer(document, 'up')).toThrow('another layer already has this name')
   })
 
-  it('is renamed in areas and strokes, and other layers stay', () => {
+  it('is renamed in areas and strokes too, and other layers stay', () => {
     const after = renameLayer(document, 'up', 'raised')
     expect(layerNames(after)).toEqual(['raised', 'down'])
     expect(after.areas.map(({ layer }) => layer)).toEqual(['raised', 'down', 'down'])
@@ -48,7 +48,7 @@ describe('a layer', () => {
     expect(renameLayer(document, 'up', 'up')).toBe(document)
   })
 
-  it('is renamed and removed without other changes if unused', () => {
+  it('is renamed and removed without other changes if no area or stroke uses it', () => {
     const more = addLayer(document, 'left')
     for (const after of [renameLayer(more, 'left', 'right'), removeLayer(more, 'left')]) {
       expect(after.areas).toBe(document.areas)
@@ -56,7 +56,7 @@ describe('a layer', () => {
     }
   })
 
-  it('is removed with its strokes if no area shows it', () => {
+  it('can be removed with its strokes if no area shows it', () => {
     const after = removeLayer({ ...document, areas: [areaOf('frown', 'down')] }, 'up')
     expect(layerNames(after)).toEqual(['down'])
     expect(after.strokes).toEqual(document.strokes.slice(1))
@@ -65,13 +65,13 @@ describe('a layer', () => {
     expect(() => removeLayer(document, 'sideways')).toThrow('no such layer')
   })
 
-  it('moves to a position', () => {
+  it('can be moved to a position', () => {
     expect(layerNames(moveLayer(document, 'up', 1))).toEqual(['down', 'up'])
     expect(layerNames(moveLayer(document, 'up', 9))).toEqual(['down', 'up'])
     expect(layerNames(moveLayer(document, 'down', 0))).toEqual(['down', 'up'])
   })
 
-  it('is limited to values allowed in files', () => {
+  it('can only have values that are allowed in files', () => {
     const after = setLayer(document, 'up', { kind: 'replace', normalScale: 2 })
     expect(after.layers[0]).toEqual({ ...document.layers[0], kind: 'replace', normalScale: 2 })
     expect(after.layers[0].maps).toBe(document.layers[0].maps)
@@ -79,9 +79,10 @@ describe('a layer', () => {
     expect(() => setLayer(document, 'up', { occlusionStrength: 1.5 })).toThrow('allowed: 0 to 1')
     expect(() => setLayer(document, 'up', { heightAmplitude: -1 })).toThrow('amplitude of the heights')
     expect(() => setLayer(document, 'up', { bloodAmplitude: 2.5 })).toThrow('allowed: 0 to 2')
+    expect(() => setLayer(document, 'up', { onsetStrength: 1.1 })).toThrow('allowed: 0 to 1')
   })
 
-  it('gets and loses maps', () => {
+  it('can get a map and lose it again', () => {
     const image = { mimeType: 'image/png', bytes: Uint8Array.of(9) }
     const after = setMap(document, 'up', 'occlusion', image)
     expect(after.layers[0].maps).toEqual({ ...document.layers[0].maps, occlusion: image })
@@ -100,10 +101,10 @@ describe('a stroke', () => {
     expect(() => addStroke(document, strokeOf('sideways', 'cheeks'))).toThrow('no such layer')
   })
 
-  it('is replaced in its position by none, one or two', () => {
+  it('can be replaced at its position by none, one or two strokes', () => {
     const [first, second, third] = document.strokes
     const [a, b] = [strokeOf('down', 'frown', 0.6), strokeOf('down', 'frown', 0.7)]
-    expect(replaceStroke(document, second, []).strokes).toEqual([first, third])
+    expect(removeStroke(document, second).strokes).toEqual([first, third])
     expect(replaceStroke(document, second, [a, b]).strokes).toEqual([first, a, b, third])
     expect(replaceStroke(document, second, [a]).strokes[2]).toBe(third)
   })

@@ -13,15 +13,23 @@ const fullLink: Link = {
   ]),
   camera: [0.1, 1.6, 0.55, 0, 1.62, 0],
   light: { yaw: -46, pitch: 20 },
-  auto: { age: 63, strength: 1.25, size: 2048, seed: 7, regions: ['glabella', 'chin'], seeds: { chin: 9 } },
+  auto: {
+    age: 63,
+    strength: 1.25,
+    size: 2048,
+    seed: 7,
+    regions: ['glabella', 'chin'],
+    seeds: { chin: 9 },
+    symmetry: 0.35,
+  },
 }
 
 describe('a link', () => {
-  it('reads back as what it was made from', () => {
+  it('is read as the values that it was made from', () => {
     expect(parseLink(`#${formatLink(fullLink, PAGE)}`, PAGE)).toEqual(fullLink)
   })
 
-  it('is short: a local model is a path, and weights of 0 are left out', () => {
+  it('is short: a model of this site is a path, and weights of 0 are left out', () => {
     const model = 'https://studio.example/furrow/faces/human.glb'
     const pose = new Map([
       ['jawOpen', 0.25],
@@ -44,7 +52,7 @@ describe('a link', () => {
     expect(parseLink('pose=', PAGE).pose).toEqual(new Map())
   })
 
-  it('may have unknown parts', () => {
+  it('may have unknown parts, which are ignored', () => {
     expect(parseLink('#look=new&top', PAGE)).toEqual(parseLink('', PAGE))
   })
 
@@ -78,6 +86,7 @@ describe('a link', () => {
     ['a broken seed', 'auto=45,1,1024,0.5'],
     ['a broken seed of a region', 'auto=45,1,1024,1&lines=chin:0.5'],
     ['no seed of a region', 'auto=45,1,1024,1&lines=chin'],
+    ['a symmetry above 1', 'auto=45,1,1024,1&symmetry=2'],
     ['lines of no region', 'auto=45,1,1024,1&lines=elbow:2'],
     ['a region of no face', 'auto=45,1,1024,1,elbow'],
     ['no end', `x=${'a'.repeat(30_000)}`],
@@ -85,7 +94,7 @@ describe('a link', () => {
     expect(() => parseLink(hash, PAGE)).toThrow(/^Studio: the link cannot be used: [^\n]{1,1000}$/)
   })
 
-  it('of any text is read, or refused by one kind of error', () => {
+  it('made of any text is read, or refused with one kind of error', () => {
     fc.assert(
       fc.property(
         fc.string({ maxLength: 200 }),
@@ -101,7 +110,7 @@ describe('a link', () => {
     )
   })
 
-  it('of all regions names none', () => {
+  it('with all regions names none of them', () => {
     const auto = { age: 20, strength: 0, size: 512, seed: 0 }
     expect(parseLink(formatLink({ auto }, PAGE), PAGE).auto).toEqual(auto)
     const all = { ...auto, regions: [...AUTO_REGIONS] }

@@ -30,7 +30,7 @@ describe('an area on the other side', () => {
   )
   const document = frozen(addDriver(one, driver))
 
-  it("is added with drivers that read its side's blendshapes", () => {
+  it('is added with drivers that read the blendshapes of its side', () => {
     const both = mirrorArea(document, 'cheekLeft', weightsOf(7))
     expect(both.areas.at(-1)).toMatchObject({ name: 'cheekRight', layer: 'up', weights: weightsOf(7) })
     expect(both.drivers.at(-1)).toMatchObject({
@@ -47,7 +47,7 @@ describe('an area on the other side', () => {
     expect(again.drivers).toBe(both.drivers)
   })
 
-  it('has a free name if its name has no side', () => {
+  it('gets a new name if the name of the original has no side', () => {
     expect(mirroredName(document, 'forehead')).toBe('forehead 2')
     expect(mirrorArea(document, 'forehead', weightsOf(7)).areas.at(-1)?.name).toBe('forehead 2')
   })

@@ -11,7 +11,7 @@ import {
 const items = ['brow', 'brow 2', 'nose'].map((name) => ({ name }))
 
 describe('names', () => {
-  it('find their item, or throw an error that lists the others', () => {
+  it('find their item, or throw an error that lists the existing names', () => {
     expect(findNamed(items, 'nose', 'area')).toBe(items[2])
     expect(() => findNamed(items, 'chin', 'area')).toThrow(
       'Studio: no such area, got "chin", allowed: brow, brow 2, nose; name one of these',
@@ -19,16 +19,16 @@ describe('names', () => {
     expect(() => findNamed([], 'chin', 'area')).toThrow('there is none')
   })
 
-  it('replace one item and keep the others', () => {
+  it('replace the item with that name and keep the others', () => {
     const after = replaceNamed(items, 'brow', 'area', () => ({ name: 'chin' }))
     expect(after).toEqual([{ name: 'chin' }, items[1], items[2]])
     expect(after[1]).toBe(items[1])
   })
 
-  it('are valid and free if new', () => {
+  it('must be valid and not taken if they are new', () => {
     expect(() => checkNewName(items, 'chin', 'area')).not.toThrow()
     expect(() => checkNewName(items, 'nose', 'area')).toThrow(
-      'two of the areas would have one name, got "nose"',
+      'another area already has this name, got "nose"',
     )
     expect(() => checkNewName(items, '\u2028', 'area')).toThrow('no usable name')
   })
@@ -42,7 +42,7 @@ describe('names', () => {
 })
 
 describe('lists', () => {
-  it('stay the same object if nothing in them changes', () => {
+  it('stay the same array if nothing in them changes', () => {
     expect(changed(items, (item) => item)).toBe(items)
     expect(kept(items, () => true)).toBe(items)
     expect(changed(items, (item) => (item.name === 'nose' ? { name: 'chin' } : item))[0]).toBe(items[0])

@@ -1,11 +1,11 @@
 import type { DocumentToPack } from '../../../studio/src/document/packed-layers.ts'
 import { folderFiles } from '../../../studio/src/keep/folder-files.ts'
 
-/** Returns the files of a document's folder without a face, by path. */
+/** Returns the files that a document is stored in, by path, without a face. */
 export function projectFiles(source: DocumentToPack): Map<string, Uint8Array> {
   return new Map(folderFiles(source, []).map(({ path, content }) => [path, content as Uint8Array]))
 }
 
-/** Returns files by path as the studio opens them. */
+/** Returns files in the form in which the studio opens them. */
 export const opened = (files: Iterable<[string, Uint8Array]>) =>
   Array.from(files, ([path, bytes]) => ({ path, file: new Blob([bytes as BlobPart]) }))

@@ -6,7 +6,7 @@ import type { StudioDocument } from '../../../studio/src/document/document.ts'
 import { recordPose, removeDriver } from '../../../studio/src/document/drivers.ts'
 import { History } from '../../../studio/src/document/history.ts'
 import * as layers from '../../../studio/src/document/layers.ts'
-import { addStroke, replaceStroke } from '../../../studio/src/document/strokes.ts'
+import { addStroke, removeStroke } from '../../../studio/src/document/strokes.ts'
 import { frozen, sampleDocument, strokeOf, weightsOf } from './sample-document.ts'
 
 const AREAS = ['forehead', 'frown', 'cheeks', 'nose', 'chin', 'cheeks 2']
@@ -29,7 +29,7 @@ function operation<T>(
   return values.map((value) => ({ name, run: (document) => run(document, value) }))
 }
 
-/** Operations with arguments that may be invalid for the document. */
+/** Random operations, whose arguments may be invalid for the document. */
 const operations: fc.Arbitrary<Operation> = fc.oneof(
   operation('add', area, areas.addEmptyArea),
   operation('remove', area, areas.removeArea),
@@ -43,12 +43,12 @@ const operations: fc.Arbitrary<Operation> = fc.oneof(
   operation('order', fc.tuple(layer, fc.nat(4)), (d, [name, i]) => layers.moveLayer(d, name, i)),
   operation('set', fc.tuple(layer, fraction), (d, [n, s]) => layers.setLayer(d, n, { normalScale: s })),
   operation('draw', fc.tuple(layer, area), (d, [on, group]) => addStroke(d, strokeOf(on, group))),
-  operation('erase', fc.nat(9), (d, i) => (d.strokes[i] ? replaceStroke(d, d.strokes[i], []) : d)),
+  operation('erase', fc.nat(9), (d, i) => (d.strokes[i] ? removeStroke(d, d.strokes[i]) : d)),
   operation('record', fc.tuple(area, fraction), (d, [name, w]) => recordPose(d, name, new Map([['jaw', w]]))),
   operation('remove driver', fc.nat(9), removeDriver),
 )
 
-/** Returns the result of an operation, or the document if the operation refuses. */
+/** Returns the result of an operation, or the same document if the operation is refused. */
 function tried(document: StudioDocument, run: Operation['run']): StudioDocument {
   try {
     return frozen(run(document))
@@ -58,7 +58,7 @@ function tried(document: StudioDocument, run: Operation['run']): StudioDocument 
   }
 }
 
-/** Checks that nothing in a document names missing items. */
+/** Checks that a document names only layers, areas and strokes that it has. */
 function checkNames({ areas, layers, strokes, drivers, strokeAreas = [] }: StudioDocument): void {
   const areaNames = areas.map(({ name }) => name)
   const layerNames = layers.map(({ name }) => name)
@@ -72,7 +72,7 @@ function checkNames({ areas, layers, strokes, drivers, strokeAreas = [] }: Studi
 const SEED = { seed: 16, numRuns: 200 }
 
 describe('any sequence of operations', () => {
-  it('never changes a document, and leaves no dangling names', () => {
+  it('does not modify a document, and leaves no names of removed items', () => {
     fc.assert(
       fc.property(fc.array(operations, { maxLength: 40 }), (sequence) => {
         let document = frozen(sampleDocument())
@@ -83,7 +83,7 @@ describe('any sequence of operations', () => {
     )
   })
 
-  it('can be undone to the start and redone to the same documents', () => {
+  it('can be undone back to the start, and redone to the same documents', () => {
     const step = fc.tuple(operations, fc.constantFrom(undefined, 'a', 'b'))
     fc.assert(
       fc.property(fc.array(step, { maxLength: 60 }), (steps) => {

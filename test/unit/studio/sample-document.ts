@@ -24,7 +24,7 @@ export function strokeOf(layer: string, group: string, v = 0.5): LayerStroke {
   return parseStrokes({ version: 1, strokes: [stroke] }).strokes[0] as Stroke as LayerStroke
 }
 
-/** Drivers of every kind that names areas. */
+/** Drivers of every type that names areas. */
 export const DRIVERS: readonly WrinkleDriver[] = parseDrivers(
   [
     { type: 'morph', area: 'forehead', targets: [{ name: 'browInnerUp' }] },
@@ -43,7 +43,7 @@ export const DRIVERS: readonly WrinkleDriver[] = parseDrivers(
   ['forehead', 'frown', 'cheeks'],
 )
 
-/** Makes two layers, three areas, three strokes with shapes, and drivers of every kind that names areas. */
+/** Makes a document of two layers, three areas, three strokes with shapes, and DRIVERS. */
 export function sampleDocument(): StudioDocument {
   const normal = { mimeType: 'image/png', bytes: Uint8Array.of(1, 2, 3) }
   return {
@@ -80,19 +80,20 @@ export function sampleDocument(): StudioDocument {
       strength: 1,
       size: 64,
       seed: 1,
+      symmetry: 0.5,
       shapes: [{ mesh: 'Head', target: 'key_12', shape: 'browInnerUp' }],
     },
   }
 }
 
-/** Freezes a document, so that changes throw. */
+/** Freezes a document, so that modifying it throws an error. */
 export function frozen<T>(value: T): T {
   if (typeof value !== 'object' || value === null || ArrayBuffer.isView(value)) return value
   for (const part of Object.values(value)) frozen(part)
   return Object.freeze(value)
 }
 
-/** Runs tasks, and collects the messages of failures. */
+/** Returns a function that runs tasks, and the messages of those that failed. */
 export function attempts() {
   const errors: string[] = []
   const attempt = (task: () => void) => {

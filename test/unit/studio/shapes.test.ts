@@ -36,7 +36,7 @@ function open(shapes: StudioDocument['shapes']) {
 }
 
 describe('a correction of a blendshape', () => {
-  it("is stored under the file's names, and is one undo step", () => {
+  it('is stored with the names in the file, and is one undo step', () => {
     const { session, editor, shapes, corrections } = open(undefined)
     editor.correct('key_2', 'browDown')
     expect(shapes()).toEqual([{ mesh: 'Head', target: 'key_2', shape: 'browDown' }])
@@ -47,7 +47,7 @@ describe('a correction of a blendshape', () => {
     expect(corrections()).toEqual([undefined, undefined, undefined, undefined])
   })
 
-  it('replaces a previous one, also under another name of the mesh', () => {
+  it('replaces a previous correction, also one with another name of the mesh', () => {
     const { editor, shapes, corrections } = open([
       { mesh: 'Other', target: 'key_1', shape: 'jawOpen' },
       { mesh: 'node of the head', target: 'key_1', shape: 'mouthClose' },
@@ -59,7 +59,7 @@ describe('a correction of a blendshape', () => {
     expect(corrections()[0]).toBeNull()
   })
 
-  it('is removed when the blendshape is automatic again, whatever names it', () => {
+  it('is removed when the blendshape is automatic again, also one with another name of the mesh', () => {
     const other = { mesh: 'Other', target: 'key_1', shape: 'jawOpen' }
     const { editor, shapes, corrections } = open([other, { target: 'browInnerUp', shape: 'browDown' }])
     expect(corrections().slice(2)).toEqual(['browDown', 'browDown'])
@@ -68,7 +68,7 @@ describe('a correction of a blendshape', () => {
     expect(shapes()).toEqual([other])
   })
 
-  it('merges with previous ones in one step while going through a list', () => {
+  it('is one step, however often the same blendshape is changed before `settle` is called', () => {
     const { session, editor, corrections } = open(undefined)
     editor.correct('key_1', 'browDown')
     editor.correct('key_1', 'browDownLeft')

@@ -31,19 +31,19 @@ describe('a key', () => {
     expect(shortcutOf('everywhere', event)).toBe(name)
   })
 
-  it('moves the divider far with Shift', () => {
+  it('moves the divider farther with Shift', () => {
     expect(shortcutOf('divider', press('ArrowLeft'))).toBe('left')
     expect(shortcutOf('divider', press('ArrowLeft', 'Shift'))).toBe('farLeft')
   })
 
-  it('for brackets also works on keyboards that need AltGr', () => {
+  it('for a bracket also works on keyboards where it needs AltGr', () => {
     expect(shortcutOf('painting', press('['))).toBe('smaller')
     expect(shortcutOf('painting', press('[', 'Control', 'Alt', 'AltGraph'))).toBe('smaller')
     expect(shortcutOf('painting', press('X', 'Shift'))).toBe('swap')
   })
 })
 
-it('never does two things in one place', () => {
+it('a key has only one meaning in each part of the page', () => {
   for (const scope of Object.keys(SHORTCUTS) as Scope[]) {
     const keys = Object.values(SHORTCUTS[scope]).flatMap(
       (shortcut: { keys: readonly string[] }) => shortcut.keys,

@@ -4,7 +4,7 @@ import { skinOfDocument } from '../../../studio/src/open/skins.ts'
 const targets = [{ mesh: 'Eyes', material: 'Iris' }, { mesh: 'Head', material: 'Skin' }, {}]
 const avatar = { skins: targets.map((target) => ({ target })) as never, skin: 0 }
 
-it('a project opens with the skin of its document', () => {
+it('a project opens with the skin that its document names', () => {
   expect(skinOfDocument(avatar, { mesh: 'Head', material: 'Skin' })).toBe(1)
 })
 

@@ -14,27 +14,27 @@ const faceOf = async (contents: Record<string, string>) => {
   return { face: sorted.face.path, wrinkles: sorted.wrinkles?.name, notes: sorted.notes }
 }
 
-describe('a drop', () => {
+describe('a drop of files', () => {
   it.each(['a.glb', 'a.vrm', 'a.gltf', 'A.GLB'])('is a face: %s', async (name) => {
     expect(await faceOf({ [name]: '' })).toEqual({ face: name, wrinkles: undefined, notes: [] })
   })
 
-  it('is a face of any name, recognised by its content', async () => {
+  it('opens a face of any name, recognised by its content', async () => {
     expect((await faceOf({ 'notes.txt': 'text', 'avatar.bin': GLB })).face).toBe('avatar.bin')
   })
 
-  it('is the topmost of several faces, with a note', async () => {
+  it('opens the topmost of several faces, with a note', async () => {
     const { face, notes } = await faceOf({ 'a/deep/a.glb': GLB, 'a/z.vrm': GLB, 'a/b.glb': GLB })
     expect(face).toBe('a/b.glb')
     expect(notes).toEqual(['Opened a/b.glb, one of 3 faces'])
   })
 
-  it('is a folder of wrinkles with its face, whatever other faces there are', async () => {
+  it('opens a folder of wrinkles with its face, whatever other faces there are', async () => {
     const files = { 'a.glb': GLB, 'my-face/face.glb': GLB, 'my-face/wrinkles.json': '{}' }
     expect(await faceOf(files)).toMatchObject({ face: 'my-face/face.glb', wrinkles: 'my-face' })
   })
 
-  it('is a folder of wrinkles without a document, with a separate face', async () => {
+  it('opens a folder of wrinkles without wrinkles.json, with a face from elsewhere', async () => {
     const files = { 'avatar.vrm': GLB, 'w/layers/up/normal.png': '', 'w/areas/brow.png': '' }
     const sorted = await sortFiles(dropped(files))
     expect(sorted).toMatchObject({ kind: 'avatar', face: { path: 'avatar.vrm' }, wrinkles: { name: 'w' } })
@@ -42,12 +42,12 @@ describe('a drop', () => {
     expect(wrinkles.files.map(({ path }) => path)).toEqual(['layers/up/normal.png', 'areas/brow.png'])
   })
 
-  it('is the content of such a folder', async () => {
+  it('opens the files of a folder of wrinkles without the folder', async () => {
     const sorted = await sortFiles(dropped({ 'wrinkles.json': '{}', 'areas/brow.png': '' }))
     expect(sorted).toMatchObject({ kind: 'wrinkles', wrinkles: { name: 'wrinkles' } })
   })
 
-  it('is images, which become areas, whatever else there is', async () => {
+  it('opens images as areas, whatever other files there are', async () => {
     const sorted = await sortFiles(
       dropped({ 'areas/a.png': '', 'areas/b.JPG': '', 'areas/notes.txt': 'text' }),
     )
@@ -58,13 +58,13 @@ describe('a drop', () => {
     ])
   })
 
-  it('is a take, whatever pictures are in its folder', async () => {
+  it('opens the tables of a Live Link Face take, whatever pictures are in its folder', async () => {
     const take = dropped({ 'take/take.csv': 'Timecode', 'take/frame_log.csv': '', 'take/thumbnail.jpg': '' })
     const sorted = await sortFiles(take)
     expect(sorted).toMatchObject({ kind: 'captures', tables: [take[0], take[1]] })
   })
 
-  it('is a face, whatever tables are in its folder', async () => {
+  it('opens a face, whatever tables are in its folder', async () => {
     expect((await faceOf({ 'a/a.glb': GLB, 'a/a.csv': 'Timecode' })).face).toBe('a/a.glb')
   })
 
@@ -79,13 +79,13 @@ describe('a drop', () => {
       'drop a .glb, .vrm or .gltf, a folder of wrinkles, gray images, or a CSV of Live Link Face',
     ],
     ['unknown', '\x00\x01', 'its contents are unknown', 'drop a .glb'],
-  ])('is unusable: %s', async (name, text, problem, remedy) => {
+  ])('is refused if it is %s', async (name, text, problem, remedy) => {
     const error = await sortFiles(dropped({ [name]: text })).catch((thrown: Error) => thrown.message)
     expect(error).toContain(`Studio: ${name} is not usable: ${problem}`)
     expect(error).toContain(`; ${remedy}`)
   })
 
-  it('is the content of a .zip, which may be unusable', async () => {
+  it('opens the content of a .zip, and refuses a damaged one', async () => {
     const content = new Uint8Array([1])
     const zip = await zipFolder(
       ['face.glb', 'wrinkles.json'].map((path) => ({ path, content })),
@@ -102,7 +102,7 @@ describe('a drop', () => {
     )
   })
 
-  it('is empty', async () => {
+  it('is refused if it is empty', async () => {
     await expect(sortFiles([])).rejects.toThrow('Studio: no file was dropped; drop a .glb')
   })
 })
@@ -121,12 +121,12 @@ describe('the files of a drop', () => {
     expect(paths).toEqual(['a.glb', 'tex/deep/b.png'])
   })
 
-  it('are read from folders with more files than a browser lists at once', async () => {
+  it('include all files of a folder that a browser lists in several parts', async () => {
     const many = Array.from({ length: 250 }, (_, i) => file(`${i}.png`))
     expect(await filesOfTransfer(transferOf([folder('many', many)]))).toHaveLength(250)
   })
 
-  it('are pasted pictures, which have no entry', async () => {
+  it('include pasted pictures, which are not entries of a file system', async () => {
     const pasted = new File([''], 'image.png')
     const item = { kind: 'file', webkitGetAsEntry: () => null, getAsFile: () => pasted }
     const text = { kind: 'string', webkitGetAsEntry: () => null, getAsFile: () => null }
@@ -137,14 +137,14 @@ describe('the files of a drop', () => {
   it('are at most 5,000, and endless folders are not followed', async () => {
     const many = Array.from({ length: 5001 }, (_, i) => file(`${i}.png`))
     const expected =
-      'Studio: too many files in what is dropped at once, allowed: 5,000 files; drop the folder of the avatar alone'
+      'Studio: too many files in one drop, allowed: 5,000 files; drop the folder of the avatar alone'
     await expect(filesOfTransfer(transferOf([folder('home', many)]))).rejects.toThrow(expected)
     const endless = folder('endless', []) as FileSystemDirectoryEntry & { children: unknown[] }
     endless.children.push(endless, file('a.png'))
     expect((await filesOfTransfer(transferOf([endless]))).length).toBeLessThan(100)
   })
 
-  it('are named if one cannot be read', async () => {
+  it('are refused if one cannot be read, with its name', async () => {
     const gone = {
       ...file('gone.glb'),
       file: (_: unknown, fail: (error: Error) => void) => fail(new Error('no')),
@@ -153,7 +153,7 @@ describe('the files of a drop', () => {
     await expect(filesOfTransfer(transferOf([gone as never]))).rejects.toThrow(expected)
   })
 
-  it('have the paths of a folder input', () => {
+  it('have paths in their folder if an input chose the folder', () => {
     const chosen = new File([''], 'a.png')
     Object.defineProperty(chosen, 'webkitRelativePath', { value: 'folder/a.png' })
     expect(filesOfInput([chosen, new File([''], 'b.png')]).map(({ path }) => path)).toEqual([
@@ -168,7 +168,7 @@ function file(name: string): FileSystemEntry {
   return entry as unknown as FileSystemEntry
 }
 
-/** Lists a hundred entries at a time, like Chrome. */
+/** Returns a fake folder. It lists a hundred entries at a time, like those of Chrome. */
 function folder(name: string, children: FileSystemEntry[]): FileSystemEntry {
   const createReader = () => {
     let from = 0

@@ -9,7 +9,7 @@ afterEach(() => {
   vi.useRealTimers()
 })
 
-it('displayed numbers change a few times a second, and end with the last one', () => {
+it('a displayed number changes only a few times a second, and ends with the last value', () => {
   const source = signal(0)
   const [slow, stop] = throttled(source, 250)
   const seen: number[] = []
@@ -27,7 +27,7 @@ it('displayed numbers change a few times a second, and end with the last one', (
   expect(slow.value).toBe(60)
 })
 
-it('the first change shows immediately', () => {
+it('the first change is shown immediately', () => {
   const source = signal(0)
   const [slow, stop] = throttled(source, 250)
   source.value = 1

@@ -3,11 +3,11 @@ import { afterEach, beforeEach, expect, it, vi } from 'vitest'
 import type { StageTool } from '../../../studio/src/tools/stage-tool.ts'
 import { ToolHost } from '../../../studio/src/tools/tool-host.ts'
 
-/** Calls of the tool, in order. */
+/** Names of the tool's methods that were called, in order. */
 let calls: string[]
 let stage: EventTarget
 let host: ToolHost
-/** Promise that the tool waits for; null if the tool is ready. */
+/** Promise that the tool must wait for, or null if it is ready. */
 let waiting: Promise<unknown> | null
 let isTaken: boolean
 
@@ -51,12 +51,12 @@ function draw(from: number, to: number): void {
   send('pointerup', to)
 }
 
-it('gives the pointer to the tool from start to end', () => {
+it('passes the events of a pointer to the tool, from its start to its end', () => {
   draw(10, 20)
   expect(calls).toEqual(['begin 10', 'move 20', 'end'])
 })
 
-it('queues pointer events while the tool waits, and then delivers them', async () => {
+it('queues pointer events while the tool waits, and passes them afterwards', async () => {
   let ready = () => {}
   waiting = new Promise<void>((resolve) => {
     ready = resolve
@@ -72,7 +72,7 @@ it('queues pointer events while the tool waits, and then delivers them', async (
   expect(calls).toEqual(['begin 10', 'move 20', 'end', 'begin 30', 'move 40', 'end', 'begin 50', 'move 60'])
 })
 
-it("continues if the tool's wait fails, and releases a pointer that the tool refuses", async () => {
+it('continues if the preparation of the tool fails, and releases a pointer that the tool refuses', async () => {
   waiting = Promise.reject(new Error('no skin'))
   isTaken = false
   draw(10, 20)

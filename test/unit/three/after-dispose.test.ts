@@ -48,7 +48,7 @@ describe('after dispose', () => {
     expect((mesh.material as MeshStandardMaterial).normalMap).toBeNull()
   })
 
-  it('a second dispose does nothing, also to other faces', () => {
+  it('a second dispose does nothing, and does not affect other faces', () => {
     const other = face()
     const draw = frameOf(other.mesh)
     draw()

@@ -14,7 +14,7 @@ const collectGarbage = runInNewContext('gc') as () => void
 
 const FRAMES = 20_000
 
-/** The optimiser runs in parallel and may be late. A real allocation occurs in every round. */
+/** Measurements of each case. Some may be too high because the JavaScript optimiser runs in parallel and can be late. */
 const ROUNDS = 10
 
 it('allocates nothing per frame during a transition', () => {
@@ -60,9 +60,9 @@ it("allocates nothing while reading a VRM's combined blendshapes", () => {
   expect([names, values]).toEqual([['cheek', 'mouth', 'happy'], Float64Array.of(0.45, 0.45, 0.9)])
 })
 
-/** Minimum over several rounds. Reading the heap size allocates a little; one number per frame would be 16 bytes. */
+/** Returns the minimum over the rounds. An allocation of one number per frame would be 16 bytes in each of them. */
 function bytesPerFrame(frames: (count: number) => void): number {
-  frames(FRAMES) // warm-up for the optimiser
+  frames(FRAMES) // lets the optimiser compile the code
   const used = Array.from({ length: ROUNDS }, () => {
     collectGarbage()
     const before = process.memoryUsage().heapUsed
@@ -72,7 +72,7 @@ function bytesPerFrame(frames: (count: number) => void): number {
   return Math.min(...used)
 }
 
-/** Creates a face with every blendshape and area that the expressions use. */
+/** Creates a face with all blendshapes and areas that the expressions use. */
 function movingFace() {
   const targets = [...new Set(EXPRESSIONS.flatMap((expression) => Object.keys(expression.targets)))]
   const areas = [...new Set(EXPRESSIONS.flatMap((expression) => Object.keys(expression.activations)))]

@@ -17,13 +17,13 @@ import { RecomputedNormals as RecomputedOnGpu, Wrinkles as WebGPUWrinkles } from
 import { describe, expect, it } from 'vitest'
 import { expectRefused, face, plain, set } from './refused.ts'
 
-/** Lets tests pass values that only plain JavaScript can. */
+/** Allows a test to pass a value that only plain JavaScript can pass. */
 const any = (value: unknown) => value as never
 
-/** Calls, with the start of the error of each. */
+/** Calls, each with the start of its error. */
 type Calls = [start: RegExp, run: () => unknown][]
 
-describe('invalid arguments are refused in one line', () => {
+describe('invalid arguments are refused with a message of one line', () => {
   const { mesh, wrinkles } = face()
   const [area] = set().areas
   const { normal } = set().layers[0]
@@ -227,7 +227,7 @@ describe('invalid arguments are refused in one line', () => {
     expect(mesh.morphTargetInfluences).toEqual([0])
   })
 
-  it('clamps several activations at once, NaN included', () => {
+  it('clamps activations that are set together, including NaN', () => {
     const { wrinkles } = face()
     wrinkles.setActivations(['area0', 'area1'], Float32Array.of(Number.NaN, 7))
     expect([wrinkles.getActivation('area0'), wrinkles.getActivation('area1')]).toEqual([0, 1])

@@ -3,7 +3,7 @@ import { expect, test, vi } from 'vitest'
 
 const decoded = vi.hoisted(() => ({ count: 0 }))
 
-// Fake images whose first byte times 1024 is their size.
+// Fake images. The first byte of each, times 1024, is its width and height.
 vi.mock('../../../packages/furrow/src/runtime/file/decode-image.ts', () => ({
   decodeBytes: async ([side]: Uint8Array) => {
     decoded.count++
@@ -11,7 +11,7 @@ vi.mock('../../../packages/furrow/src/runtime/file/decode-image.ts', () => ({
   },
 }))
 
-/** Returns a parser of a file with two faces, each with layers whose normal maps have these sizes. */
+/** Returns a fake parser of a file. Each face is a list with the size of each layer's normal map, divided by 1024. */
 function parserOf(...faces: number[][]) {
   const sides = faces.flat()
   let next = 0
@@ -47,7 +47,7 @@ test('images of 512 MiB in total are loaded', async () => {
   expect(face).toMatchObject({ status: 'fulfilled' })
 })
 
-test('more are refused, and later ones are not decoded', async () => {
+test('larger ones are refused, and later ones are not decoded', async () => {
   const [face] = await read([8, 8, 8, 8])
   expect(face).toMatchObject({
     status: 'rejected',

@@ -15,7 +15,7 @@ import { frameOf } from './stub-renderer.ts'
 
 const AREAS = ['brow', 'nose', 'neck']
 
-/** Creates a square with two joints and two blendshapes, the first of which halves its width. */
+/** Creates a square with two joints and two blendshapes. The first blendshape halves its width. */
 export function drivenFace(drivers: WrinkleDriver[], targets = ['browDown_L', 'jawOpen']) {
   const geometry = new PlaneGeometry(1, 1, 4, 4)
   const { count } = geometry.getAttribute('position')

@@ -7,7 +7,7 @@ import { drivenFace } from './driven-face.ts'
 afterEach(() => vi.restoreAllMocks())
 
 describe('addDrivers', () => {
-  it('adds blendshapes, joints, tension and age to the resting activations', () => {
+  it('adds the activations by blendshapes, joints, tension and age to the resting activations', () => {
     const { mesh, head, wrinkles, activations } = drivenFace([
       morph('brow', [link('browDownLeft', 0.5)]),
       morph('nose', 'jawOpen'),
@@ -27,9 +27,9 @@ describe('addDrivers', () => {
     mesh.morphTargetInfluences![1] = 0.1
     head.rotation.x = 0.4
     wrinkles.inputs.set('age', 50)
-    // The square is 30% narrower: 0.3 from tension, and 0.5 * 0.6 from the blendshape.
+    // The square is 30% narrower. Tension gives 0.3, and the blendshape 0.5 * 0.6.
     expect(activations()).toEqual([0.6, 0.6, 0.4])
-    // Moving the complete mesh changes nothing.
+    // The activations stay when the whole mesh moves.
     mesh.position.set(1, 2, 3)
     mesh.rotation.y = 2
     expect(activations()).toEqual([0.6, 0.6, 0.4])
@@ -49,7 +49,7 @@ describe('addDrivers', () => {
     expect(activations()[0]).toBe(0.5)
   })
 
-  it('keeps existing drivers, which setDrivers replaces', () => {
+  it('keeps existing drivers, but setDrivers replaces them', () => {
     const [brow, nose, neck] = [
       morph('brow', 'browDownLeft'),
       morph('nose', 'jawOpen'),
@@ -62,13 +62,13 @@ describe('addDrivers', () => {
     expect(activations()).toEqual([0.5, 0.7, 0])
     setDrivers(wrinkles, [neck])
     expect(wrinkles.drivers).toEqual([neck])
-    // Areas that are no longer driven keep their activations.
+    // An area without drivers keeps its last activation.
     expect(activations()).toEqual([0.5, 0.7, 0.5])
     setDrivers(wrinkles, [])
     expect(wrinkles.drivers).toEqual([])
   })
 
-  it('keeps existing drivers if a new one is malformed', () => {
+  it('keeps existing drivers unchanged if a new one is malformed', () => {
     const brow = morph('brow', 'browDownLeft')
     const { mesh, wrinkles, activations } = drivenFace([brow])
     expect(() => addDrivers(wrinkles, [{ type: 'morph', area: 'nose' }])).toThrow(
@@ -82,7 +82,7 @@ describe('addDrivers', () => {
     expect(activations()).toEqual([0.5, 0.2, 0])
   })
 
-  it('wrinkles of another mesh share its drivers, and can get others', () => {
+  it('are shared by wrinkles of another mesh, which can get others', () => {
     const { mesh, wrinkles } = drivenFace([morph('brow', 'browDownLeft')])
     const copy = mesh.clone()
     copy.material = mesh.material.clone()
@@ -97,7 +97,7 @@ describe('addDrivers', () => {
     expect(wrinkles.getActivation('brow')).toBe(0)
   })
 
-  it('measures each joint driver from the bind pose if both joints are bones, whatever other drivers use', () => {
+  it('measures a joint driver from the bind pose if both its joints are bones, whatever other drivers use', () => {
     const rotation = (area: string, from: string): WrinkleDriver => ({
       type: 'bone',
       area,
@@ -105,7 +105,7 @@ describe('addDrivers', () => {
       measure: 'angle',
       curve: STRAIGHT,
     })
-    // The mesh itself is not a bone, so its driver starts from the current pose.
+    // The mesh is not a bone, so the driver that uses it measures from the current pose.
     const { mesh, head, wrinkles, activations } = drivenFace([])
     mesh.name = 'body'
     head.rotation.x = 0.4
@@ -126,7 +126,7 @@ describe('addDrivers', () => {
     expect(activations()).toEqual([0.9, 0.2, 0.9])
   })
 
-  it('age adds to set activations, and delays follow them, in areas without other drivers', () => {
+  it('in areas without other drivers, age adds to the activations that are set, and delays follow them', () => {
     const { wrinkles, activations } = drivenFace([
       { type: 'age', area: 'brow', curve: ramp(20, 70, 0.5) },
       { type: 'time', area: 'neck', attack: 0.1, release: 0.1 },
@@ -173,7 +173,7 @@ describe('addDrivers', () => {
     expect(set.activations()).toEqual([0.35, 0.2, 0.2])
   })
 
-  it('follows with a delay by the clock, except in the first frame', () => {
+  it('delays an activation by the clock, but not in the first frame', () => {
     const { mesh, wrinkles, activations } = drivenFace([
       morph('brow', 'browDownLeft'),
       { type: 'time', area: 'brow', attack: 0.1, release: 0.4 },
@@ -191,7 +191,7 @@ describe('addDrivers', () => {
     expect(activations()[0]).toBeCloseTo(from * Math.exp(-1), 3)
   })
 
-  it('keeps the presets for players', () => {
+  it('keeps the preset expressions for players', () => {
     const { wrinkles } = drivenFace([
       {
         type: 'expression',
@@ -231,7 +231,7 @@ describe('addDrivers', () => {
     expect(warn.mock.calls[0][0]).toContain(message)
   })
 
-  it('warns once of a removed area, and drives the others', () => {
+  it('warns once about drivers of a removed area, and the other drivers still work', () => {
     const warn = vi.spyOn(console, 'warn').mockImplementation(() => {})
     const { mesh, wrinkles, activations } = drivenFace([
       morph('brow', 'browDownLeft'),
@@ -270,7 +270,7 @@ describe('addDrivers', () => {
     expect(activations()[1]).toBe(1)
   })
 
-  it('update() updates activations without drawing', () => {
+  it('update() updates the activations without drawing', () => {
     const { mesh, wrinkles } = drivenFace([morph('brow', 'browDownLeft')])
     mesh.morphTargetInfluences![0] = 0.7
     expect(wrinkles.getActivation('brow')).toBe(0)

@@ -35,7 +35,7 @@ it('explains the activations of the last frame, joints and tension included', ()
   })
   expect(nose).toMatchObject({ activation: expect.closeTo(0.5, 6), resting: expect.closeTo(0.2, 6) })
   expect(types(nose.parts)).toEqual([['age', expect.closeTo(0.3, 6)]])
-  // The delay holds the neck back; its driver asks for more.
+  // The driver of the neck gives more, but the delay slows its activation.
   expect(neck.activation).toBeLessThan(0.2)
   expect(types(neck.parts)).toEqual([['bone', expect.closeTo(0.4, 6)]])
 })

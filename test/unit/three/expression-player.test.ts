@@ -9,7 +9,7 @@ const EXPRESSIONS: Expression[] = [
   { name: 'shout', targets: { jawOpen: 1 }, activations: { area0: 1 } },
 ]
 
-it('starts from the current state of the face, also after sliders changed it', () => {
+it('starts from the current state of the face, even if it was changed by other means', () => {
   const { mesh, wrinkles } = face()
   const player = new ExpressionPlayer(mesh, wrinkles, EXPRESSIONS)
   mesh.morphTargetInfluences![0] = 0.8
@@ -29,7 +29,7 @@ it('does not change the face after the transition', () => {
   expect(mesh.morphTargetInfluences![0]).toBe(0.2)
 })
 
-it('measures time if none is given', () => {
+it('measures the time itself if it is given none', () => {
   const now = vi.spyOn(performance, 'now').mockReturnValue(5000)
   const { mesh, wrinkles } = face()
   const player = new ExpressionPlayer(mesh, wrinkles, EXPRESSIONS)
@@ -46,7 +46,7 @@ it('measures time if none is given', () => {
   now.mockRestore()
 })
 
-it('lists the expressions that the face can show, and plays others without effect', () => {
+it('lists the expressions that the face can show, and does nothing for others', () => {
   const mesh = blendMesh('Fcl_ALL_Angry', 'viseme_aa')
   const player = new ExpressionPlayer(mesh, undefined)
   expect(player.expressionNames).toEqual(['neutral', 'angry'])
@@ -63,7 +63,7 @@ it('moves a face without wrinkles', () => {
   expect(mesh.morphTargetInfluences).toEqual([1])
 })
 
-it('returns areas that an expression does not name to rest', () => {
+it('sets areas that an expression does not name to their resting activations', () => {
   const mesh = blendMesh('jawOpen')
   const { areas, layers } = set()
   const scarred = areas.map((area, i) => (i === 0 ? { ...area, activation: 0.75 } : area))

@@ -8,7 +8,7 @@ const scoreList = (scores: Record<string, number>) =>
 
 afterEach(() => vi.restoreAllMocks())
 
-it('moves every mesh of the face in any spelling, and keeps other blendshapes', () => {
+it('moves each mesh of the face, with its names in any spelling, and keeps other blendshapes', () => {
   const warn = vi.spyOn(console, 'warn')
   const skin = blendMesh('browDown_L', 'browInnerUp_L', 'browInnerUp_R', 'tongueOut')
   const lashes = blendMesh('Fcl.browDownLeft')
@@ -17,7 +17,7 @@ it('moves every mesh of the face in any spelling, and keeps other blendshapes', 
   scores.set(scoreList({ _neutral: 0.9, browDownLeft: 0.7, browInnerUp: 0.4 }))
   expect(skin.morphTargetInfluences).toEqual([0.7, 0.4, 0.4, 0.3])
   expect(lashes.morphTargetInfluences).toEqual([0.7])
-  // Another order, fewer names, and an invalid score.
+  // The next scores have another order and fewer names, and one score is invalid.
   scores.set(scoreList({ browInnerUp: Number.NaN, browDownLeft: 0.1 }))
   expect(skin.morphTargetInfluences).toEqual([0.1, 0, 0, 0.3])
   expect(warn).not.toHaveBeenCalled()

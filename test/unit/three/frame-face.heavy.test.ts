@@ -26,7 +26,7 @@ import {
 import { anyIO, HUMAN } from '../cli/auto-variants.ts'
 import { toVRoid } from '../cli/vroid.ts'
 
-/** Camera and its target after framing a file. */
+/** Camera, and the point that it looks at, after it has framed a file. */
 interface Shot {
   camera: PerspectiveCamera
   target: Vector3
@@ -44,7 +44,7 @@ beforeAll(async () => {
   plain = await frame(() => {})
 })
 
-test('the shipped face fills nine tenths of the height, seen from the front', () => {
+test('the shipped face is seen from the front and fills most of the height', () => {
   const { camera, target } = plain
   expect(target.distanceTo(MIDDLE)).toBeLessThan(1e-3)
   expect([camera.position.x, camera.position.y]).toEqual([target.x, target.y])
@@ -53,26 +53,26 @@ test('the shipped face fills nine tenths of the height, seen from the front', ()
   expect(high! - low!).toBeLessThan(2 * 0.95)
 })
 
-/** Variants of the same face in the same place. */
+/** Variants of the shipped face, all in the same place. */
 const SAME: readonly [string, Change][] = [
   ...Object.entries(FORMATS),
-  ['with unknown names alone', unname],
+  ['with only unknown blendshape names', unname],
   ['of skinned meshes with quantised positions', (d) => d.transform(placeBySkeleton, quantize())],
   ['whose quantisation was undone', (d) => d.transform(quantize(), dequantize())],
 ]
 
-test.each(SAME)('a face %s is framed the same', async (_, change) => {
+test.each(SAME)('a face %s is framed like the original', async (_, change) => {
   expectLike(await frame(change), plain)
 })
 
-test("a VRoid avatar that looks along -Z is seen from its front, like VRM 0's", async () => {
+test('a VRoid avatar that looks along -Z, as in VRM 0, is seen from its front', async () => {
   expectLike(await frame(toVRoid), plain, 180)
 })
 
 test.each([0, 5, 30, 90, 145, 180, -90])(
   'a face turned by %d degrees is seen from the front',
   async (degrees) => {
-    // Within ten degrees of an axis the face is seen along that axis.
+    // A face that looks within ten degrees of an axis is seen along that axis.
     const seen = degrees === 5 ? 0 : degrees
     const { camera, target } = await frame((d) => turnScene(d, degrees))
     const back = camera.position.clone().sub(target).setY(0)
@@ -155,7 +155,7 @@ test.each(SCANS)('a scan without wrinkles is seen from the front', async ({ path
   expect(camera.position.z).toBeGreaterThan(target.z)
 })
 
-test("views follow their angles, relative to the face's direction", async () => {
+test('views have the given angles, relative to the direction in which the face looks', async () => {
   const turned = await load(await changed((d) => turnScene(d, 90)))
   const from = (view: FaceView) => {
     const { camera, target } = shoot(turned, view)
@@ -173,13 +173,13 @@ test("views follow their angles, relative to the face's direction", async () => 
   expect(distance({ zoom: 2 })).toBeLessThan(0.6 * distance({}))
 })
 
-test('expressions do not move the picture', async () => {
+test('expressions do not change the view', async () => {
   const scene = await load(await changed(() => {}))
   scene.traverse((object) => (object as Mesh).morphTargetInfluences?.fill(1))
   expectLike(shoot(scene), plain)
 })
 
-test('damaged vertices are ignored', async () => {
+test('invalid vertices are ignored', async () => {
   const scene = await load(await changed(() => {}))
   scene.traverse((object) => (object as Mesh).geometry?.attributes.position.setX(3, Number.NaN))
   expectLike(shoot(scene), plain)
@@ -205,7 +205,7 @@ test.each([0, 180])(
   'a VRM 0 without blendshapes is seen from the front when turned by %d degrees after loading',
   async (degrees) => {
     const scene = await load(await changed(asVrm0((d) => addBody(d), only(/^$/))))
-    // Same as VRMUtils.rotateVRM0.
+    // This is what VRMUtils.rotateVRM0 does.
     scene.rotation.y = (degrees * Math.PI) / 180
     const { camera, target } = shoot(scene)
     expect(Math.sign(camera.position.z - target.z)).toBe(degrees === 0 ? -1 : 1)
@@ -218,7 +218,7 @@ test.each([
   [0.4, 1],
   [1, 100],
 ])(
-  'an orthographic picture %d times as wide as high shows the complete head, %d units high',
+  'an orthographic picture %d times as wide as high, %d units high, shows the complete head',
   async (aspect, height) => {
     const [x, y] = [(height * aspect) / 2, height / 2]
     const camera = new OrthographicCamera(-x, x, y, -y)
@@ -235,19 +235,19 @@ test.each([
   },
 )
 
-/** Turns a file to look along -Z, like VRM 0's. */
+/** Changes a file, and turns it to look along -Z, like VRM 0. */
 function asVrm0(...changes: Change[]): Change {
   return (d) => d.transform(...(changes as never[]), (d: Document) => turnScene(d, 180))
 }
 
-/** Shapes with equal names keep equal names. */
+/** Replaces the names of blendshapes by unknown ones. Equal names stay equal. */
 function unname(document: Document): void {
   const numbers = new Map<string, string>()
   const number = (name: string) => numbers.get(name) ?? numbers.set(name, `Key ${numbers.size}`).get(name)!
   for (const mesh of document.getRoot().listMeshes()) if (mesh.getExtras().targetNames) rename(mesh, number)
 }
 
-/** Keeps the blendshapes whose names match. */
+/** Keeps only the blendshapes whose names match. */
 function only(pattern: RegExp): Change {
   return (document) => {
     for (const mesh of document.getRoot().listMeshes()) {
@@ -264,7 +264,7 @@ function only(pattern: RegExp): Change {
 
 async function changed(change: Change): Promise<Document> {
   const document = await (await anyIO()).readBinary(new Uint8Array(file))
-  // Node has no images, and the camera needs none.
+  // Node cannot load images, and the camera does not need them.
   for (const texture of document.getRoot().listTextures())
     if (change !== transformCoordinates && change !== quantiseCoordinates) texture.dispose()
   await change(document)
@@ -289,7 +289,7 @@ async function frame(change: Change): Promise<Shot> {
   return shoot(await load(await changed(change)))
 }
 
-/** Expects equal shots within a millimetre, rotated about the vertical axis. */
+/** Rotates `other` about the vertical axis. Then expects that targets differ by less than 1 mm, and camera positions by less than 2 mm. */
 function expectLike(shot: Shot, other: Shot, degrees = 0): void {
   const turned = (point: Vector3) =>
     point.clone().applyAxisAngle(new Vector3(0, 1, 0), (degrees * Math.PI) / 180)
@@ -297,7 +297,7 @@ function expectLike(shot: Shot, other: Shot, degrees = 0): void {
   expect(shot.camera.position.distanceTo(turned(other.camera.position)), 'camera').toBeLessThan(2e-3)
 }
 
-/** Projects a point to the picture, -1 to 1 in both directions. */
+/** Projects a point into the picture, whose coordinates are -1 to 1 in both directions. */
 function onScreen(camera: PerspectiveCamera, x: number, y: number, z: number): Vector3 {
   return new Vector3(x, y, z).project(camera)
 }

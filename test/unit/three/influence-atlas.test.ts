@@ -5,7 +5,7 @@ import { quadMaterials } from '../../../packages/furrow/src/three/webgl/influenc
 
 const ALL = ['OES_texture_float_linear', 'EXT_float_blend', 'float32-filterable', 'float32-blendable']
 
-/** Stub of a renderer that supports some of these features. */
+/** Returns a stub of a renderer that supports these features. */
 function stub(features: readonly string[], isWebGPUBackend: boolean) {
   const has = (name: string) => features.includes(name)
   return {
@@ -17,7 +17,7 @@ function stub(features: readonly string[], isWebGPUBackend: boolean) {
 }
 
 test.each([false, true])(
-  'sums are 32-bit floats if those can be filtered and blended, on WebGPU: %s',
+  'sums are 32-bit floats if the renderer can filter and blend them, on WebGPU: %s',
   (isWebGPU) => {
     const typeOf = (layers: number, features: readonly string[]) => {
       const atlas = new InfluenceAtlas(8, 8, layers, quadMaterials)
@@ -37,7 +37,7 @@ test.each([false, true])(
   },
 )
 
-test('a renderer that cannot filter floats gets half floats after one that can', () => {
+test('a renderer that cannot filter 32-bit floats gets half floats, also after one that can', () => {
   const atlas = new InfluenceAtlas(8, 8, 1, quadMaterials)
   let freed = 0
   atlas.target.addEventListener('dispose', () => freed++)

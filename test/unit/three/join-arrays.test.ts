@@ -3,7 +3,7 @@ import { CompressedArrayTexture, LinearFilter, LinearMipmapLinearFilter, RGBA_BP
 import { describe, expect, it } from 'vitest'
 import { joinArrays } from '../../../packages/furrow/src/three/loader/join-arrays.ts'
 
-/** Texture array with two levels of 8 x 8 and 4 x 4 texels, in uniform blocks of 16 bytes. */
+/** Texture array with levels of 8 x 8 and 4 x 4 texels. The bytes of its blocks are all the same. */
 function array(depth: number, value: number, size = 8): CompressedArrayTexture {
   const level = (side: number, offset: number) => {
     const blocks = (side / 4) ** 2
@@ -39,7 +39,7 @@ const layer = (name: string, maps: Partial<Layer<ArraySlice>>): Layer<ArraySlice
 const area = (name: string, weights: Area<ArraySlice>['weights']): Area<ArraySlice> => ({ name, weights })
 
 describe('joinArrays', () => {
-  it('joins compressed images of one kind in an array, level by level and in order', () => {
+  it('joins compressed images of one kind into an array, level by level and in order', () => {
     const [first, second] = [array(1, 100), array(2, 200)]
     const { layers, areas } = joinArrays({
       layers: [layer('a', {})],

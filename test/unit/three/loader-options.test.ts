@@ -11,7 +11,7 @@ import { frameOf } from './stub-renderer.ts'
 describe.each([WebGLPlugin, WebGPUPlugin])('the loader plugin', (Plugin) => {
   const create = (options: object) => new Plugin({ json: {} } as never, options)
 
-  it('takes the options of Wrinkles', () => {
+  it('passes its options to Wrinkles', () => {
     expect(() => create({ mode: 'composed', areaSize: 64, fadeBelow: 200, relief: 'near' })).not.toThrow()
   })
 

@@ -18,7 +18,7 @@ const createSet = (): WrinkleSet => ({
 
 const face = () => new Mesh(new PlaneGeometry(), new MeshStandardMaterial())
 
-/** Returns the texels of its textures of normals and occlusion. */
+/** Returns the texels of the textures for normals and occlusion. */
 function texelsOf(wrinkles: WrinklesBase): Uint8Array[] {
   const { normals, values } = meshOf(wrinkles).shaderInputs.textures
   return [normals, values.occlusion!].map(
@@ -26,14 +26,14 @@ function texelsOf(wrinkles: WrinklesBase): Uint8Array[] {
   )
 }
 
-/** Set with another layer, whose maps share arrays with those of the first. */
+/** Returns a set with two layers, whose maps share texture arrays. */
 const createLayered = (): WrinkleSet => {
   const { layers, areas } = createSet()
   const second = { name: 'pores', kind: 'replace' as const, normal: map(254, 4), occlusion: map(201, 1) }
   return { layers: [...layers, second], areas }
 }
 
-it.each([createSet, createLayered])('maps of a file are in memory once, in their textures', (create) => {
+it.each([createSet, createLayered])('maps of a file are in memory only once, in their textures', (create) => {
   const set = create()
   const values = set.layers.map(({ normal, occlusion }) => [normal.data[0], occlusion!.data[0]])
   const wrinkles = new Wrinkles(face(), new ReadSet(set))
@@ -48,21 +48,24 @@ it.each([createSet, createLayered])('maps of a file are in memory once, in their
   wrinkles.dispose()
 })
 
-it.each([createSet, createLayered])("maps of a set made by a page stay the page's own", (create) => {
-  const set = create()
-  const images = set.layers.flatMap(({ normal, occlusion }) => [normal, occlusion!])
-  const given = images.map(({ data }) => data)
-  const wrinkles = new Wrinkles(face(), set)
-  for (const [i, { data }] of images.entries()) {
-    expect(data).toBe(given[i])
-    data.fill(1)
-  }
-  expect(texelsOf(wrinkles).map(([first]) => first)).toEqual([255, 200])
-  updateLayer(wrinkles, 'skin', { normal: map(128, 4), occlusion: map(100, 1) })
-  expect(texelsOf(wrinkles).map(([first]) => first)).toEqual([128, 100])
-  expect(images.every(({ data }) => data.every((value) => value === 1))).toBe(true)
-  wrinkles.dispose()
-})
+it.each([createSet, createLayered])(
+  'maps of a set that a page made are copied, and the page can change its own',
+  (create) => {
+    const set = create()
+    const images = set.layers.flatMap(({ normal, occlusion }) => [normal, occlusion!])
+    const given = images.map(({ data }) => data)
+    const wrinkles = new Wrinkles(face(), set)
+    for (const [i, { data }] of images.entries()) {
+      expect(data).toBe(given[i])
+      data.fill(1)
+    }
+    expect(texelsOf(wrinkles).map(([first]) => first)).toEqual([255, 200])
+    updateLayer(wrinkles, 'skin', { normal: map(128, 4), occlusion: map(100, 1) })
+    expect(texelsOf(wrinkles).map(([first]) => first)).toEqual([128, 100])
+    expect(images.every(({ data }) => data.every((value) => value === 1))).toBe(true)
+    wrinkles.dispose()
+  },
+)
 
 it('an image shared by two layers does not change when one of them does', () => {
   const { layers, areas } = createLayered()

@@ -21,7 +21,7 @@ const decode = (byte: number) => {
 const encode = (light: number) =>
   255 * (light <= 0.0031308 ? 12.92 * light : 1.055 * light ** (1 / 2.4) - 0.055)
 
-describe('mipmaps of a changed slice', () => {
+describe('the mipmaps of a changed slice', () => {
   it.each([
     [16, 16, 4],
     [32, 4, 1],
@@ -51,7 +51,7 @@ describe('mipmaps of a changed slice', () => {
     }
   })
 
-  it('average colours as linear light, and their opacity unchanged', () => {
+  it('average colours as linear light, and opacity as stored', () => {
     const { texture, data } = arrayTexture(8, 8, 4, SRGBColorSpace)
     const [, half] = new MipChain(texture, SLICE).levels
     for (let c = 0; c < 4; c++) {
@@ -78,7 +78,7 @@ describe('mipmaps of a changed slice', () => {
     expect(chain.levels.map((level) => [...level.data])).toEqual(whole.levels.map((level) => [...level.data]))
   })
 
-  it('are left to the GPU for sides that are no powers of two, and do not exist without a mipmap filter', () => {
+  it('are left to the GPU if a side is not a power of two, and do not exist without a mipmap filter', () => {
     expect(new MipChain(arrayTexture(12, 16, 1).texture, SLICE).levels).toHaveLength(1)
     const { texture } = arrayTexture(16, 16, 1)
     texture.minFilter = LinearFilter

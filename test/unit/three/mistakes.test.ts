@@ -144,7 +144,7 @@ describe('mistakes', () => {
     expect(warn.mock.calls).toEqual([[expect.stringMatching(warning)]])
   })
 
-  it('an extended loader has one plugin, with the latest options', () => {
+  it('a loader that is extended twice has one plugin, with the latest options', () => {
     const loader = new GLTFLoader()
     const register = vi.spyOn(loader, 'register')
     expect(extendLoader(extendLoader(loader), { mode: 'off' })).toBe(loader)

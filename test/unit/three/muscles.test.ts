@@ -18,7 +18,7 @@ const muscle = (name: string): MuscleDriver => ({
 })
 
 describe('addMuscles', () => {
-  it('adds morph targets with normals, whose weights are contractions', () => {
+  it('adds a morph target with normals for each muscle, whose weight is its contraction', () => {
     const mesh = new Mesh(new PlaneGeometry(2, 2, 8, 8))
     addMuscles(mesh, [muscle('a'), muscle('b')])
     expect(mesh.morphTargetDictionary).toEqual({ a: 0, b: 1 })
@@ -27,7 +27,7 @@ describe('addMuscles', () => {
       typeof mesh.geometry.morphAttributes
     >
     expect(position.map(({ name }) => name)).toEqual(['a', 'b'])
-    // The middle of the sheet moves by a quarter of the muscle's length. The edge does not move.
+    // The middle of the sheet moves by a quarter of the length of the muscle. The edge does not move.
     const middle = 40
     expect(position[0].getZ(middle)).toBeCloseTo(-0.25, 6)
     expect(position[0].getZ(0)).toBe(0)
@@ -41,7 +41,7 @@ describe('addMuscles', () => {
     expect(position).toHaveLength(2)
   })
 
-  it.each([true, false])('adds to existing blendshapes, relative: %s', (relative) => {
+  it.each([true, false])('keeps existing blendshapes, relative: %s', (relative) => {
     const geometry = new PlaneGeometry(2, 2, 4, 4)
     const rest = geometry.attributes.position
     const raised = new Float32BufferAttribute(new Float32Array(3 * rest.count), 3)
@@ -64,7 +64,7 @@ describe('addMuscles', () => {
   })
 })
 
-it('drivers of a face add its muscles to all its meshes, once per shared geometry', () => {
+it('the drivers of a face add its muscles to all its meshes, and to a shared geometry only once', () => {
   const { mesh, wrinkles } = face()
   const [other, twin, late] = [new PlaneGeometry(), mesh.geometry, new PlaneGeometry()].map(
     (geometry) => new Mesh(geometry, mesh.material),

@@ -5,7 +5,7 @@ import type { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js'
 import { vi } from 'vitest'
 import { decodeArray } from '../../../packages/files/src/ktx2/ktx2.ts'
 
-/** Decodes like a browser, with another library. */
+/** Decodes an image like a browser, but with sharp. */
 async function createImageBitmap(blob: Blob) {
   const bytes = new Uint8Array(await blob.arrayBuffer())
   const image = sharp(bytes, { failOn: 'truncated', ignoreIcc: true }).toColourspace('srgb').ensureAlpha()
@@ -13,7 +13,7 @@ async function createImageBitmap(blob: Blob) {
   return { width: info.width, height: info.height, data: new Uint8Array(data), close() {} }
 }
 
-/** Fake transcoder that returns textures of the right kind and size. */
+/** Fake transcoder. Its textures have the right kind and size, but no contents. */
 const ktx2Loader = {
   async loadAsync(url: string): Promise<CompressedTexture> {
     const bytes = new Uint8Array(await (await fetch(url)).arrayBuffer())

@@ -10,7 +10,7 @@ const MEMBERS = [
 ]
 const OF_THREE = ['cloneMaterial', 'createInfluenceMaterial', 'meshes', 'relief', 'reliefReady', 'statistics']
 
-/** Lists the names of everything reachable on an object, except members that all objects have. */
+/** Lists the names of all members of an object, also inherited ones, except those that all objects have. */
 function membersOf(object: object): string[] {
   const names = new Set<string>()
   for (let own = object; own !== Object.prototype; own = Object.getPrototypeOf(own))
@@ -21,7 +21,7 @@ function membersOf(object: object): string[] {
 
 it.each([
   ['three.js', face().wrinkles, [...MEMBERS, ...OF_THREE]],
-  // Babylon.js's maps need a GPU.
+  // The prototype is enough, because wrinkles of Babylon.js need a GPU.
   ['Babylon.js', BabylonWrinkles.prototype, MEMBERS],
 ])('wrinkles of %s have only the documented members', (_, wrinkles, members) => {
   expect(membersOf(wrinkles)).toEqual([...members].sort())

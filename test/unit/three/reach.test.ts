@@ -19,12 +19,12 @@ function reachOf(...values: number[]): number[] {
 const contains = ([u0, v0, u1, v1]: number[], u: number, v: number) =>
   u >= u0 && u <= u1 && v >= v0 && v <= v1
 
-it('extends to the centres of the adjacent texels', () => {
+it('the bounds of the active areas extend to the centres of the adjacent texels', () => {
   expect(reachOf(0.5, 0, 0, 0)).toEqual([1.5 / 16, 1.5 / 8, 4.5 / 16, 5.5 / 8])
   expect(reachOf(1, 0.1, 0, 0)).toEqual([1.5 / 16, 0.5 / 8, 10.5 / 16, 5.5 / 8])
 })
 
-it('is unbounded at the edges of the map, which are clamped', () => {
+it('the bounds have no limit where an active area is at an edge of the map, because textures are clamped there', () => {
   const whole = reachOf(0, 0, 1, 0)
   expect(contains(whole, -3, 7)).toBe(true)
   expect(contains(reachOf(0, 0, 0, 1), 0.2, -5)).toBe(true)
@@ -34,6 +34,6 @@ it('is unbounded at the edges of the map, which are clamped', () => {
   expect(contains(reach.toArray(), 100, -100)).toBe(true)
 })
 
-it('is empty if all areas are at rest', () => {
+it('the bounds are empty if all areas are at rest', () => {
   for (const u of [-1, 0, 0.02, 0.5, 0.99, 1, 2]) expect(contains(reachOf(0, 0, 0, 0), u, 0.5)).toBe(false)
 })

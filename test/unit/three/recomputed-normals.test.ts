@@ -3,7 +3,7 @@ import { Float32BufferAttribute, Mesh, PlaneGeometry, SphereGeometry } from 'thr
 import { describe, expect, it } from 'vitest'
 import { seeded } from '../../random.ts'
 
-/** Creates a ball with two random blendshapes that move coincident vertices equally. */
+/** Creates a ball with two random blendshapes, which move vertices at the same position equally. */
 function ball(relative = true) {
   const geometry = new SphereGeometry(1, 20, 14)
   const { position } = geometry.attributes
@@ -31,23 +31,26 @@ function ball(relative = true) {
 }
 
 describe('RecomputedNormals', () => {
-  it.each([true, false])('agrees with baked normals for one blendshape, relative: %s', (relative) => {
-    const mesh = ball(relative)
-    const baked = mesh.geometry.clone()
-    addMorphNormals(baked)
-    const recomputed = new RecomputedNormals(mesh)
-    mesh.morphTargetInfluences![1] = 1
-    recomputed.update()
-    const { normal } = mesh.geometry.attributes
-    const [target, rest] = [baked.morphAttributes.normal![1], baked.attributes.normal]
-    for (let i = 0; i < normal.count; i++) {
-      const expected = target.getX(i) + (relative ? rest.getX(i) : 0)
-      expect(normal.getX(i)).toBeCloseTo(expected, 5)
-    }
-    expect(mesh.geometry.morphAttributes.normal).toBeUndefined()
-  })
+  it.each([true, false])(
+    'gives the same normals as addMorphNormals for one blendshape, relative: %s',
+    (relative) => {
+      const mesh = ball(relative)
+      const baked = mesh.geometry.clone()
+      addMorphNormals(baked)
+      const recomputed = new RecomputedNormals(mesh)
+      mesh.morphTargetInfluences![1] = 1
+      recomputed.update()
+      const { normal } = mesh.geometry.attributes
+      const [target, rest] = [baked.morphAttributes.normal![1], baked.attributes.normal]
+      for (let i = 0; i < normal.count; i++) {
+        const expected = target.getX(i) + (relative ? rest.getX(i) : 0)
+        expect(normal.getX(i)).toBeCloseTo(expected, 5)
+      }
+      expect(mesh.geometry.morphAttributes.normal).toBeUndefined()
+    },
+  )
 
-  it('keeps tangents in the surface and their signs, and returns to rest', () => {
+  it('turns tangents with the surface, keeps their signs, and returns to rest', () => {
     const mesh = ball()
     const before = mesh.geometry
     const recomputed = new RecomputedNormals(mesh)

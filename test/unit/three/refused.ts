@@ -5,7 +5,7 @@ import { blendMesh } from '../../blend-mesh.ts'
 import { randomSet } from '../../cases.ts'
 import { seeded } from '../../random.ts'
 
-/** Deterministic wrinkles. */
+/** Returns the same random wrinkles on each call. */
 export const set = () => randomSet(seeded(1), 2, 8)
 
 /** Creates a face with one blendshape, and wrinkles. */
@@ -15,7 +15,7 @@ export function face() {
   return { mesh, wrinkles: new Wrinkles(mesh, set()) }
 }
 
-/** Expects a library error whose message matches, and no JavaScript error. */
+/** Expects an error of the library whose message matches, not another JavaScript error. */
 export function expectRefused(run: () => unknown, start: RegExp) {
   let error: unknown
   try {

@@ -17,7 +17,7 @@ import { createReliefMesh } from '../../../packages/furrow/src/three/relief/reli
 /** Metres per unit of quantised positions. */
 const SCALE = 0.1
 
-/** Triangle with positions of -1..1, like quantised files. */
+/** Triangle with integer positions that stand for -1..1, as in quantised files. */
 function quantised(): BufferGeometry {
   const geometry = new BufferGeometry()
   const positions = Int16Array.of(-32767, -32767, 0, 32767, -32767, 0, 0, 32767, 32767)
@@ -27,7 +27,7 @@ function quantised(): BufferGeometry {
   return geometry
 }
 
-/** More vertices than the mesh has, in the same unit. */
+/** Geometry with more vertices than the mesh, in the same unit. */
 function dense(geometry: BufferGeometry): BufferGeometry {
   const { array } = geometry.attributes.position!
   const positions = Float32Array.from([...array, ...array], (value) => value / 32767)

@@ -21,7 +21,7 @@ it('has no strain at a vertex without triangles', () => {
   expect([...strainOf([...SQUARE, 9, 9, 9], [...SQUARE, 8, 8, 8], INDICES)].at(-1)).toBe(0)
 })
 
-it('shows compressed skin in orange and stretched skin in blue, also beyond all bounds', () => {
+it('shows compressed skin in orange and stretched skin in blue, also at extreme strains', () => {
   const [r, , b] = strainColour(-9)
   expect(r).toBeGreaterThan(3 * b)
   const [red, , blue] = strainColour(0.3)

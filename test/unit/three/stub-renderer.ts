@@ -1,7 +1,7 @@
 import { type Mesh, PerspectiveCamera, Scene, type WebGLRenderer } from 'three'
 import { idleRenderer } from '../../../bench/idle-renderer.mjs'
 
-/** Returns a function that prepares meshes for a frame, like a renderer does before drawing. */
+/** Returns a function that prepares meshes for a frame, as a renderer does before drawing. */
 export function frameOf(...meshes: Mesh[]): () => void {
   const renderer = idleRenderer()
   const drawing = renderer as unknown as WebGLRenderer

@@ -46,14 +46,14 @@ const SET: WrinkleSet = {
   areas: [{ name: 'nose', weights: { width: 1, height: 1, data: new Uint8Array(1) } }],
 }
 
-/** End of every guard's error. */
+/** Matches the end of the error about a missing internal of three.js. */
 const found = (name: string) =>
   new RegExp(
     `three\\.js lacks ${name}, got "r${REVISION}", allowed: up to r${NEWEST_THREE}; install a three\\.js release`,
   )
 
 describe('the versions of three.js', () => {
-  it('are the same for users, tests and errors', () => {
+  it('are the same in the package, the tests and the error messages', () => {
     const { devDependencies } = read('package.json')
     const { 'furrow/three': oldest, 'furrow/webgpu': oldestOfNodes } = OLDEST_THREE
     expect(read('packages/furrow/package.json').peerDependencies.three).toBe(`>=0.${oldest}.0`)
@@ -76,7 +76,7 @@ describe('the versions of three.js', () => {
 })
 
 describe('internals of three.js', () => {
-  it('are passed on if they exist, including false and 0', () => {
+  it('are returned if they exist, including false and 0', () => {
     for (const value of [0, false, '', {}])
       expect(requireInternal(value, 'Wrinkles', 'x', REVISION)).toBe(value)
     for (const value of [null, undefined])
@@ -109,7 +109,7 @@ describe('internals of three.js', () => {
     await expect(loadMapArray(parser as never, 0, () => {})).rejects.toThrow(found(`KTX2Loader.${name}`))
   })
 
-  it("are named if WebGLRenderer lacks a target's state", () => {
+  it('are named if WebGLRenderer does not have the state of a render target', () => {
     const texture = {} as Texture
     const hasContents = (renderer: object) =>
       quadMaterials.hasContents(renderer as WebGLRenderer, { texture } as never)
@@ -122,7 +122,7 @@ describe('internals of three.js', () => {
     )
   })
 
-  it('are named if a batch draws in an order that cannot be read', () => {
+  it('are named if the drawing order of a batch cannot be read', () => {
     const batch = new BatchedMesh(1, 3, 3, new MeshStandardMaterial())
     expect(() => checkBatch(batch)).not.toThrow()
     const { getDrawIndex } = NodeBuilder.prototype as unknown as { getDrawIndex: unknown }

@@ -2,7 +2,7 @@ import { Mesh, MeshStandardMaterial, PlaneGeometry, Texture } from 'three'
 import { expect, test } from 'vitest'
 import { isTiled } from '../../../packages/furrow/src/three/mesh/tiling.ts'
 
-test('texture coordinates wrap outside 0..1, after the transform of the normal map', () => {
+test('a mesh is tiled if the transform of the normal map puts texture coordinates outside 0..1', () => {
   const material = new MeshStandardMaterial({ normalMap: new Texture() })
   const mesh = new Mesh(new PlaneGeometry(), material)
   expect(isTiled(mesh, material)).toBe(false)

@@ -1,4 +1,4 @@
-// Shows one surprised face. `?webgpu` draws it on WebGPU; a click removes its wrinkles.
+// Shows one surprised face. `?webgpu` draws on WebGPU. A click removes the wrinkles.
 import { FreeCamera } from '@babylonjs/core/Cameras/freeCamera.js'
 import { Engine } from '@babylonjs/core/Engines/engine.js'
 import { WebGPUEngine } from '@babylonjs/core/Engines/webgpuEngine.js'

@@ -1,5 +1,5 @@
-// Loads a face driven by a blendshape, then one driven by an input, and splits the second for relief. The title reports the activations,
-// and whether relief loaded more files.
+// Loads a face whose wrinkles follow a blendshape, then one whose wrinkles follow an input, and prepares relief on the second. The page's
+// title reports both activations, and whether relief loaded more files.
 import { WrinkleLoaderPlugin, wrinklesOf } from 'furrow/three'
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 
@@ -7,13 +7,13 @@ const POSITIONS = [0, 0, 0, 1, 0, 0, 0, 1, 0]
 const NORMALS = [0, 0, 1, 0, 0, 1, 0, 0, 1]
 const UVS = [0, 0, 1, 0, 0, 1]
 
-/** Images of 4 x 4 pixels without alpha, which would need more bytes: a flat normal map, and white. */
+/** PNG images of 4 x 4 pixels, base64: a flat normal map, and white. */
 const FLAT =
   'iVBORw0KGgoAAAANSUhEUgAAAAQAAAAECAIAAAAmkwkpAAAACXBIWXMAAAPoAAAD6AG1e1JrAAAAEElEQVQImWNoaPgPRwzEcQA20R/xBjeDNgAAAABJRU5ErkJggg=='
 const WHITE =
   'iVBORw0KGgoAAAANSUhEUgAAAAQAAAAECAIAAAAmkwkpAAAACXBIWXMAAAPoAAAD6AG1e1JrAAAAD0lEQVQImWP4jwQYiOMAANuQL9HsugRzAAAAAElFTkSuQmCC'
 
-/** Returns a triangle with one area and one blendshape, `jawOpen`. */
+/** Returns a glTF file: a triangle with one blendshape, `jawOpen`, and one area, which the driver activates. */
 function file(driver) {
   const data = new Float32Array([...POSITIONS, ...NORMALS, ...UVS])
   const uri = `data:application/octet-stream;base64,${btoa(String.fromCharCode(...new Uint8Array(data.buffer)))}`
@@ -60,9 +60,9 @@ function file(driver) {
 const scripts = () =>
   performance.getEntriesByType('resource').filter(({ name }) => name.endsWith('.js')).length
 
-/** Loads a face with a driver. */
+/** Loads the triangle with a driver, and returns its wrinkles. */
 async function load(driver) {
-  // By default relief may be fetched before the files are counted.
+  // The default, `near`, could load the code for relief before the test counts the loaded files.
   const loader = new GLTFLoader().register((parser) => new WrinkleLoaderPlugin(parser, { relief: 'off' }))
   const [wrinkles] = wrinklesOf(await loader.parseAsync(file(driver), ''))
   if (driver.type === 'input') wrinkles.inputs.set('stress', 0.25)

@@ -1,5 +1,5 @@
-// Shared by the apps of all frameworks: shows the face once the scene has it. The first click raises the brows, the second removes the
-// wrinkles.
+// Shared by the apps of all frameworks: waits until the scene contains the face, and points the camera at it. The first click on the page
+// raises the brows, the second removes the wrinkles.
 
 import { frameFace, wrinklesOf } from 'furrow/three'
 import type { Camera, Mesh, Object3D, PerspectiveCamera } from 'three'
@@ -15,7 +15,7 @@ export async function showFace(scene: Object3D, camera: () => Camera | undefined
     })
   }
   const wrinkles = wrinklesOf(face)!
-  // Forehead and eyes, where the wrinkles are.
+  // Shows only the forehead and the eyes, where the wrinkles are.
   frameFace(camera() as PerspectiveCamera, scene, { zoom: 2 })
   let clicks = 0
   document.addEventListener('click', () => {

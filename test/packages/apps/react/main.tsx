@@ -1,4 +1,4 @@
-// Shows one surprised face. `?webgpu` draws it on WebGPURenderer, `?gltf` with drei's <Gltf>; a click removes its wrinkles.
+// Shows one surprised face. `?webgpu` draws on WebGPURenderer, `?gltf` loads by drei's <Gltf>. A click removes the wrinkles.
 import { type ComponentType, StrictMode } from 'react'
 import { createRoot } from 'react-dom/client'
 

@@ -1,4 +1,4 @@
-// Draws the shipped face with `WebGLRenderer` on one release of three.js, in steps. `?step=influence` runs single ones.
+// Draws the shipped face with `WebGLRenderer` on one release of three.js. `?step=influence` runs only one of the steps below.
 
 import {
   frameFace,
@@ -42,7 +42,7 @@ const renderer = new WebGLRenderer({ antialias: true })
 renderer.setSize(SIZE, SIZE)
 document.body.append(renderer.domElement)
 
-/** Opens a scene with the face from the front, with raised brows and a smile. */
+/** Creates a scene with the face and a camera in front of it. The face smiles with raised brows. */
 async function openFace() {
   const loader = new GLTFLoader().register((parser) => new WrinkleLoaderPlugin(parser))
   const file = await loader.loadAsync('/wrinkled.glb')
@@ -58,12 +58,12 @@ async function openFace() {
   const camera = new PerspectiveCamera(22, 1)
   frameFace(camera, file.scene)
   const [wrinkles] = wrinklesOf(file)
-  // By default relief appears by size once it is fetched, in a frame that varies.
+  // By default relief appears when its code is loaded, in a frame that varies between runs.
   wrinkles.relief = 'off'
   return { scene, camera, wrinkles }
 }
 
-/** Draws twice, because the first frame reveals whether a shader compiles, and reads the picture in RGB. */
+/** Draws two frames and returns the second as RGB bytes. Wrinkles whose shader fails in the first frame are off in the second. */
 async function picture(scene, camera) {
   const target = new WebGLRenderTarget(SIZE, SIZE)
   for (let frame = 0; frame < 2; frame++) {
@@ -103,7 +103,7 @@ function showAlone(scene, mesh) {
 
 const gray = (size, value) => ({ width: size, height: size, data: new Uint8Array(size * size).fill(value) })
 
-/** Draws the influence map on the moving skin before and after an area is repainted. */
+/** Draws the skin with the influence as gray, before and after an area gets other weights. */
 async function influence() {
   const { scene, camera, wrinkles } = await openFace()
   showAlone(scene, wrinkles.mesh)
@@ -113,7 +113,7 @@ async function influence() {
   return { drawn, painted: await picture(scene, camera) }
 }
 
-/** Draws the normals of the skin before and after a layer is repainted. */
+/** Draws the normals of the skin before and after a layer gets another normal map. */
 async function normals() {
   const { scene, camera, wrinkles } = await openFace()
   showAlone(scene, wrinkles.mesh)
@@ -126,7 +126,7 @@ async function normals() {
   return { drawn, painted }
 }
 
-/** Draws light in several modes. The result depends on the release. */
+/** Draws the lit face in each mode, and with relief. Light differs between releases of three.js. */
 async function light() {
   const { scene, camera, wrinkles } = await openFace()
   const modes = {}
@@ -138,12 +138,12 @@ async function light() {
   await picture(scene, camera)
   await wrinkles.reliefReady()
   modes.relief = await picture(scene, camera)
-  // Draws into the page for people who look at it.
+  // Also draws on the canvas, for people and screenshots.
   renderer.render(scene, camera)
   return modes
 }
 
-/** Draws the normals of two faces of a batch, the second with wrinkles. */
+/** Draws the normals of two instances of a `BatchedMesh`, the second with wrinkles. */
 async function batch() {
   const plane = new PlaneGeometry(1, 1)
   const { wrinkles: source } = await openFace()
@@ -160,7 +160,7 @@ async function batch() {
     mesh.setMatrixAt(id, place.matrix)
   }
   const wrinkles = new Wrinkles(mesh, source)
-  // The planes lack blendshapes for the face's drivers.
+  // The instances are planes without the blendshapes that the drivers need.
   setDrivers(wrinkles, [])
   wrinkles.setActivation('foreheadLeft', 1, ids[1])
   showNormals(material)

@@ -1,4 +1,4 @@
-// Loads the shipped face with a plugin on a release of three.js that is too old, and reports the console's messages.
+// Loads the shipped face with the loader plugin on an unsupported release of three.js, and reports the messages on the console.
 
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 

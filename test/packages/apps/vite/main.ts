@@ -1,4 +1,4 @@
-// Shows one surprised face. `?webgpu` draws it on WebGPURenderer; a click removes its wrinkles.
+// Shows one surprised face. `?webgpu` draws on WebGPURenderer. A click removes the wrinkles.
 import { ExpressionPlayer, frameFace, wrinklesOf } from 'furrow/three'
 import { DirectionalLight, PerspectiveCamera, Scene } from 'three'
 import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'

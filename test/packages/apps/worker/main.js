@@ -1,4 +1,4 @@
-// Makes wrinkles for a small sheet squashed by a blendshape. The title reports the result.
+// Makes automatic wrinkles in a web worker, for a small sheet that a blendshape compresses. The page's title reports the result.
 import { autoWrinklesInWorker } from 'furrow/auto'
 
 const N = 16

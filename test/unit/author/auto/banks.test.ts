@@ -3,7 +3,7 @@ import { bankReaches } from '../../../../packages/furrow/src/author/auto/lines/b
 import type { SkinLine } from '../../../../packages/furrow/src/author/strokes/curve.ts'
 import { bankAt, bankSlope } from '../../../../packages/furrow/src/author/strokes/profile.ts'
 
-/** Line of 40 mm along x, on skin that faces z. */
+/** Returns a wrinkle line, 40 mm long, along x on skin that faces +z. Banks are the raised skin on both sides of a line. */
 function lineAt(y: number): SkinLine {
   const points = Float64Array.from({ length: 3 * 41 }, (_, i) => [Math.floor(i / 3), y, 0][i % 3])
   const normals = Float64Array.from({ length: 3 * 41 }, (_, i) => [0, 0, 1][i % 3])
@@ -13,22 +13,22 @@ function lineAt(y: number): SkinLine {
 const SPACING = 6
 const lines = [lineAt(0), lineAt(3), lineAt(6)]
 
-test('banks reach to the next line', () => {
+test('banks end at the next line', () => {
   const [lowest, middle, highest] = bankReaches(lines, [1, 1, 1], SPACING)
-  // Left of a line along +x is +y.
+  // The line runs along +x, so +y is on its left.
   expect(lowest[0]).toBeCloseTo(3)
   expect(middle).toEqual([3, 3])
   expect(highest[1]).toBeCloseTo(3)
 })
 
-test('a line less than half as deep lies on the bulge between two others, and ends with them', () => {
+test('banks of two lines continue under a line between them that is less than half as deep', () => {
   const [lowest, middle, highest] = bankReaches(lines, [1, 0.35, 0.8], SPACING)
   expect(lowest[0]).toBeCloseTo(6)
   expect(middle).toEqual([3, 3])
   expect(highest[1]).toBeCloseTo(6)
 })
 
-test('the cost of a line does not grow with the number of lines', () => {
+test('the number of comparisons per line does not grow with the number of lines', () => {
   const comparedPerLine = (count: number) => {
     let compared = 0
     const depths = new Proxy(new Array<number>(count).fill(1), {

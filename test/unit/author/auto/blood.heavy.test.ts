@@ -1,7 +1,8 @@
 import { type AutoWrinkles, autoWrinkleSet, autoWrinkles, type Skin } from 'furrow/author'
 import { checkWrinkleSet } from 'furrow/internal'
 import { describe, expect, test } from 'vitest'
-import { FACES, skinAt } from './faces.ts'
+import { skinAt } from '../../../skin-at.ts'
+import { FACES } from './faces.ts'
 import { sheet } from './sheet.ts'
 
 const SETTINGS = { age: 50, size: 256, areaSize: 128 }
@@ -20,7 +21,7 @@ describe.each(FACES)('blood of %s', async (_, path) => {
   const { blood, areas, layers } = wrinkles
   const flushOf = (name: string) => blood.areas.find((area) => area.name === name)!
 
-  /** Returns the blood that a flush adds at its strongest point, -127..127. */
+  /** Returns the amount of blood at the strongest point of a flush, an area that reddens or pales: -127..127, 0 is neutral. */
   const middleOf = (name: string) => {
     const { layer, weights } = flushOf(name)
     const best = weights.data.indexOf(Math.max(...weights.data))
@@ -33,7 +34,9 @@ describe.each(FACES)('blood of %s', async (_, path) => {
 
   test('reddens brows, nose and cheeks, and pales the lips', () => {
     expect(blood.areas.map(({ name }) => name).sort()).toEqual(FLUSHES)
-    for (const name of FLUSHES.slice(0, 5)) expect(middleOf(name), name).toBeGreaterThan(60)
+    for (const name of FLUSHES.slice(1, 5)) expect(middleOf(name), name).toBeGreaterThan(60)
+    // On every layer, lines leave little free skin between the brows.
+    expect(middleOf('flushBrows')).toBeGreaterThan(25)
     expect(middleOf('paleLips')).toBeLessThan(-40)
   })
 
@@ -53,7 +56,7 @@ describe.each(FACES)('blood of %s', async (_, path) => {
     expect(flushOf('paleLips').drivers[1].attack).toBeLessThan(0.2)
   })
 
-  test('shows no lines of its layer', () => {
+  test('areas do not show the wrinkle lines of their layer', () => {
     for (const { name, layer, weights } of blood.areas) {
       const { heights } = layers[layer]
       const scale = heights.width / weights.width
@@ -67,7 +70,7 @@ describe.each(FACES)('blood of %s', async (_, path) => {
     }
   })
 
-  test('does not show with the lines of its layer', () => {
+  test('does not show in the areas of wrinkle lines on the same layer', () => {
     for (const { name, layer, weights } of areas) {
       const { data, width } = blood.maps[layer]
       const scale = width / weights.width
@@ -75,7 +78,7 @@ describe.each(FACES)('blood of %s', async (_, path) => {
       for (const [i, weight] of weights.data.entries()) {
         const x = Math.floor(((i % weights.width) + 0.5) * scale)
         const y = Math.floor((Math.floor(i / weights.width) + 0.5) * scale)
-        // Valleys have their own tone.
+        // Skips wrinkle valleys, which have blood too.
         if (layers[layer].heights.data[y * width + x] === 0)
           most = Math.max(most, (weight / 255) * Math.abs(data[y * width + x] - 128))
       }
@@ -106,7 +109,7 @@ describe.each(FACES)('blood of %s', async (_, path) => {
     expect(areas.map(({ name }) => name)).not.toContain('flushBrows')
   })
 
-  test('is left out with its regions', () => {
+  test('has areas only in the requested regions', () => {
     const { blood } = autoWrinkles(skin, { ...SETTINGS, regions: ['nose', 'crowsFeet'] })
     expect(blood.areas.map(({ name }) => name)).toEqual(['flushNoseLeft', 'flushNoseRight'])
   })
@@ -115,7 +118,7 @@ describe.each(FACES)('blood of %s', async (_, path) => {
     expect(autoWrinkles(skin, SETTINGS).blood).toEqual(blood)
     const set = autoWrinkleSet(wrinkles)
     checkWrinkleSet(set)
-    expect(set.areas).toHaveLength(areas.length + FLUSHES.length)
+    expect(set.areas).toHaveLength(areas.length + FLUSHES.length + wrinkles.bulges.length)
     expect(set.drivers.filter(({ type }) => type === 'time')).toHaveLength(FLUSHES.length)
   })
 })

@@ -1,8 +1,8 @@
 import type { Skin } from 'furrow/author'
 
-/** Point on a cut edge of the texture: one position in space, two UVs. */
+/** Point on a seam of the UV layout: one position in space with two UVs. */
 export interface CutPoint {
-  /** Triangle on each side, and the point's UV in it. */
+  /** The triangles on both sides of the seam, each with the UV of the point in this triangle. */
   sides: readonly [CutSide, CutSide]
 }
 
@@ -11,11 +11,11 @@ export interface CutSide {
   uv: readonly [number, number]
 }
 
-/** Intervals between the points of a cut edge, including its ends. */
+/** Number of intervals into which points divide an edge. */
 const STEPS = 8
 
 /**
- * Finds points on all edges along which triangles meet in space, within a thousandth of a millimetre, but not in the texture.
+ * Finds points on all UV seams: edges along which two triangles meet in space, within a thousandth of a millimetre, but not in the texture.
  *
  * @param skin skin in metres.
  */
@@ -53,15 +53,15 @@ function lerpUv([a, b]: readonly [number, number], [c, d]: readonly [number, num
 /** Maps UVs to UVs. */
 export type UvTransform = (u: number, v: number) => readonly [number, number]
 
-/** Shrinks an island, to leave room around it. */
+/** Shrinks the layout, to leave space around it. */
 export const shrink: UvTransform = (u, v) => [0.1 + 0.8 * u, 0.1 + 0.8 * v]
-/** Rotates the left half of a shrunk island by 180 degrees. Texels of 512-texel maps keep their positions on the skin. */
+/** Rotates the left half of a shrunk layout by 180 degrees. Texel centres of 512 x 512 maps stay at the same points of the skin. */
 export const halfTurn: UvTransform = (u, v) => [280 / 512 - u, 1 - v]
-/** Rotates the same half by 90 degrees and shrinks it. */
+/** Rotates the left half of a shrunk layout by 90 degrees, and halves its size. */
 export const quarterTurn: UvTransform = (u, v) => [0.05 + 0.45 * (0.9 - v), 0.9 - 0.45 * (u - 0.1)]
 
 /**
- * Returns a skin whose texture is one island, and the same skin cut in two.
+ * Returns a skin with its layout shrunk, and the same skin with the layout cut into two islands.
  *
  * @param isSecond tells whether a triangle belongs to the second island.
  * @param transform moves the second island.

@@ -4,7 +4,7 @@ import { findSkin } from 'furrow-files'
 import { readDocument } from 'furrow-files/node'
 import { decimate } from '../../../heads.ts'
 
-/** Steps of the bisection of the ratio. */
+/** Number of bisection steps that find the ratio for a number of vertices. */
 const STEPS = 8
 
 /** Returns the skin of a face whose mesh was reduced to about `vertices` vertices. */

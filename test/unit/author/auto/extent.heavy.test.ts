@@ -2,7 +2,7 @@ import { autoWrinkles } from 'furrow/author'
 import { expect, test } from 'vitest'
 import { sheet } from './sheet.ts'
 
-/** Sheet of 4 x 4 squares, 80 units a side, which one target shortens. */
+/** Returns a sheet of 4 x 4 squares, which one blendshape shortens, in units of `scale`. */
 function skin(scale: number) {
   const { positions, uvs, indices, offsets } = sheet(4, 20)
   return {

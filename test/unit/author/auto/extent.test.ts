@@ -1,6 +1,6 @@
 import { autoWrinkles } from 'furrow/author'
 import { expect, test } from 'vitest'
-import { PointGrid } from '../../../../packages/furrow/src/author/auto/lines/point-grid.ts'
+import { PointGrid } from '../../../../packages/furrow/src/math/point-grid.ts'
 import { seeded } from '../../../random.ts'
 import { sheet } from './sheet.ts'
 

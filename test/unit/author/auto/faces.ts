@@ -1,7 +1,5 @@
 import { fileURLToPath } from 'node:url'
 import { AUTO_DEFAULTS, type AutoWrinkles, autoWrinkles, type Skin } from 'furrow/author'
-import { findSkin } from 'furrow-files'
-import { readDocument } from 'furrow-files/node'
 import type { CreasedRegion } from '../../../../packages/furrow/src/author/auto/lines/crease.ts'
 import { layLines } from '../../../../packages/furrow/src/author/auto/lines/lay-lines.ts'
 import { measureStrain } from '../../../../packages/furrow/src/author/auto/strain/measure-strain.ts'
@@ -13,19 +11,15 @@ import {
 } from '../../../../packages/furrow/src/author/auto/surface/prepare-skin.ts'
 import { SCANS } from '../../../bare-faces/bare-faces.ts'
 import { driven } from '../../../driven.ts'
+import { skinAt } from '../../../skin-at.ts'
 
-/** Returns the skin of a face in a file, as `furrow auto` finds it. */
-export async function skinAt(path: string): Promise<Skin> {
-  return findSkin(await readDocument(path, 'test'), path, 'test').skin
-}
-
-/** The shipped face, and the scan if present. */
+/** Names and paths of the shipped face, and of the scanned face if available. */
 export const FACES = [
   ['human', fileURLToPath(new URL('../../../../faces/human.glb', import.meta.url))],
   ...SCANS.map(({ name, path }) => [name, path] as const),
 ] as readonly (readonly [string, string])[]
 
-/** Skin with a detected face. */
+/** Skin on which a face was detected. */
 export type PreparedFace = PreparedSkin & { face: DetectedFace }
 
 export function prepareFace(skin: Skin): PreparedFace {
@@ -35,13 +29,13 @@ export function prepareFace(skin: Skin): PreparedFace {
   return { ...prepared, face }
 }
 
-/** Returns the creases of all regions of a face, with default strength and seed. */
+/** Returns the wrinkle lines of all regions of a face, with default strength and seed. */
 export function facialCreases(prepared: PreparedFace, ageFraction: number): CreasedRegion[] {
-  const settings = { ...AUTO_DEFAULTS, ageFraction, maxAreas: AUTO_DEFAULTS.areas }
+  const settings = { ...AUTO_DEFAULTS, seed: 1, ageFraction, maxAreas: AUTO_DEFAULTS.areas }
   return layLines(prepared, measureStrain(prepared, settings), settings)
 }
 
-/** Face with automatic wrinkles and their measurements. */
+/** Face with automatic wrinkles, and functions that measure them. */
 export class MeasuredFace {
   readonly skin: Skin
   readonly prepared: PreparedFace
@@ -67,7 +61,6 @@ export class MeasuredFace {
     return this.prepared.face
   }
 
-  /** Returns the activations of a pose by area. */
   activations(pose: Readonly<Record<string, number>>): Map<string, number> {
     const weights = new Float32Array(this.skin.targets.length)
     for (const [target, weight] of poseOf(this.face.find, pose)) weights[target] = weight
@@ -75,9 +68,9 @@ export class MeasuredFace {
   }
 
   /**
-   * Returns the integral of weights times activations over the skin in a pose.
+   * Integrates weight times activation of all areas over the skin, in a pose.
    *
-   * @param isCounted tells whether a point counts, by its position in the face's frame, millimetres.
+   * @param isCounted tells whether to include a point, given its position in the frame of the face, millimetres.
    */
   activated(
     pose: Readonly<Record<string, number>>,
@@ -102,7 +95,7 @@ export class MeasuredFace {
     return sum
   }
 
-  /** Returns the counted fraction of a pose's activated weight. */
+  /** Returns the fraction of `activated` that comes from the points that `isCounted` accepts. */
   activatedFraction(
     pose: Readonly<Record<string, number>>,
     isCounted: (x: number, y: number, z: number) => boolean,

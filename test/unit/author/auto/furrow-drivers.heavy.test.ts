@@ -13,11 +13,12 @@ import { beforeAll, describe, expect, test } from 'vitest'
 import { poseOf } from '../../../../packages/furrow/src/author/auto/surface/pose.ts'
 import { driven } from '../../../driven.ts'
 import { seeded } from '../../../random.ts'
-import { FACES, prepareFace, skinAt } from './faces.ts'
+import { skinAt } from '../../../skin-at.ts'
+import { FACES, prepareFace } from './faces.ts'
 
 type Pose = Readonly<Record<string, number>>
 
-/** Sampled triangles per area. `ALL` is enough for the mean to converge. `FEW` is the number that tension drivers use on the CPU. */
+/** Triangles to sample per area. `ALL` gives an accurate mean. `FEW` is the number that tension drivers use on the CPU. */
 const [ALL, FEW] = [4096, 16]
 const POSES = 60
 
@@ -49,7 +50,7 @@ describe.each(FACES)('fine furrows of %s', (_, path) => {
     return positions
   }
 
-  /** Returns a function of the pose: for each area, its mean compression and its mean stretch, as tension drivers measure them. */
+  /** Returns a function that measures compression and stretch of each area in a pose, as tension drivers do. */
   function tension(count: number) {
     const mesh = { positions: skin.positions, uvs: skin.uvs, triangles: skin.indices }
     const inputs = areas().flatMap(({ name: area }) =>
@@ -67,7 +68,7 @@ describe.each(FACES)('fine furrows of %s', (_, path) => {
     }
   }
 
-  /** Returns the activations of the written blendshape drivers. */
+  /** Returns the activations from the blendshape drivers of the automatic wrinkles. */
   function byBlendshapes(pose: Pose): Record<string, number> {
     const weights = Float32Array.from(names(), (name) => pose[name] ?? 0)
     return driven(
@@ -76,7 +77,7 @@ describe.each(FACES)('fine furrows of %s', (_, path) => {
     ).activations({ weights })
   }
 
-  /** Returns activations by two tension drivers per area, in place of the written one: compression deepens furrows, stretch smooths them. */
+  /** Returns the activations from two tension drivers per area: compression deepens the furrows, stretch smooths them. */
   function byTension(values: Float64Array): Record<string, number> {
     const drivers = areas().flatMap(({ name, driver: { curve } }): TensionDriver[] => {
       const [[pulled, smooth], [, rest], [squeezed]] = curve
@@ -109,7 +110,7 @@ describe.each(FACES)('fine furrows of %s', (_, path) => {
     return Object.fromEntries(plan.areaNames.map((name, i) => [name, state.activations[i]]))
   }
 
-  test('follow the strain of combined poses, more closely than tension drivers', () => {
+  test('follow the strain of combined poses more closely than tension drivers would', () => {
     const random = seeded(17)
     const [all, few] = [tension(ALL), tension(FEW)]
     const squares = { blendshapes: 0, tension: 0, sampled: 0 }
@@ -124,7 +125,7 @@ describe.each(FACES)('fine furrows of %s', (_, path) => {
         sampled: byTension(few(pose)),
       }
       for (const [i, { name, driver }] of areas().entries()) {
-        // Fraction of its area that the skin loses.
+        // The driver's curve maps the fraction of the surface area that the skin loses.
         const exact = curveAt(driver.curve, measured[2 * i] - measured[2 * i + 1])
         for (const by of ['blendshapes', 'tension', 'sampled'] as const)
           squares[by] += (found[by][name] - exact) ** 2
@@ -136,7 +137,7 @@ describe.each(FACES)('fine furrows of %s', (_, path) => {
     expect(rms('sampled')).toBeGreaterThan(2 * rms('blendshapes'))
   })
 
-  test('turn normals more on squeezed skin than at rest, and less on stretched skin', () => {
+  test('tilt normals more than at rest on squeezed skin, and less on stretched skin', () => {
     const all = tension(ALL)
     const rest = tilts({})
     const seen = { squeezed: 0, pulled: 0 }
@@ -160,7 +161,7 @@ describe.each(FACES)('fine furrows of %s', (_, path) => {
     expect(seen.pulled).toBeGreaterThan(3)
   })
 
-  /** Returns, for each area, how far the fine furrows tilt normals in a pose: the mean tangent of the angle. */
+  /** Returns, for each area, the mean tangent of the angle by which the fine furrows tilt normals in a pose. */
   function tilts(pose: Pose): number[] {
     const { normal } = wrinkles.layers.at(-1)!
     const activations = byBlendshapes(pose)
@@ -184,7 +185,7 @@ describe.each(FACES)('fine furrows of %s', (_, path) => {
   }
 })
 
-/** Yields colours, 0..1, of the texels of a larger image under a texel of a smaller one. */
+/** Takes a texel of a smaller image, and yields the colours, 0..1, of the texels that it covers in a larger image. */
 function* pixelsUnder(texel: number, { width }: GrayImage, image: GrayImage) {
   const factor = image.width / width
   const [x0, y0] = [(texel % width) * factor, Math.floor(texel / width) * factor]

@@ -1,14 +1,15 @@
 import { skinCanvas } from 'furrow/author'
 import { addFurrows, FINE_FURROW_DEFAULTS } from 'furrow/internal'
 import { expect, test } from 'vitest'
+import { skinAt } from '../../../skin-at.ts'
 import { cutInTwo, findCuts, halfTurn } from './cuts.ts'
-import { FACES, skinAt } from './faces.ts'
+import { FACES } from './faces.ts'
 
 const SIZE = 1024
-/** A furrow is seven texels wide at this size. */
+/** Options for large furrows, which are seven texels wide. */
 const FURROWS = { ...FINE_FURROW_DEFAULTS, size: 9, depth: 0.1 }
 
-test('fine furrows are equally deep on both sides of a cut of the texture', async () => {
+test('fine furrows are equally deep on both sides of a UV seam', async () => {
   const [, path] = FACES[0]
   const skin = await skinAt(path)
   const isSecond = (triangle: number) =>

@@ -9,7 +9,8 @@ import {
 import { addFurrows, strokesOf } from 'furrow/internal'
 import { beforeAll, describe, expect, test } from 'vitest'
 import { driven } from '../../../driven.ts'
-import { FACES, skinAt } from './faces.ts'
+import { skinAt } from '../../../skin-at.ts'
+import { FACES } from './faces.ts'
 
 const [, HUMAN] = FACES[0]
 const SIZE = 2048
@@ -28,7 +29,7 @@ beforeAll(async () => {
 
 const heightsOf = ({ layers }: AutoWrinkles) => layers.at(-1)!.heights
 
-/** Returns the activations of the furrows' areas. */
+/** Returns the activations of the areas that show fine furrows. */
 function activations(weights: Readonly<Record<string, number>>): Record<string, number> {
   const names = skin.targets.map(({ name }) => name)
   const drivers = made.get(50)!.furrows!.areas.map(({ driver }) => driver)
@@ -36,7 +37,7 @@ function activations(weights: Readonly<Record<string, number>>): Record<string, 
   return driven(drivers, names).activations({ weights: pose })
 }
 
-/** Returns the heights of texels that an area shows in full. */
+/** Returns the heights of the fine furrows at texels where the area's weight is high. */
 function within(wrinkles: AutoWrinkles, name: string): Float32Array {
   const { width, data } = wrinkles.furrows!.areas.find((area) => area.name === name)!.weights
   return heightsOf(wrinkles).data.filter((_, texel) => {
@@ -48,7 +49,7 @@ function within(wrinkles: AutoWrinkles, name: string): Float32Array {
 }
 
 describe('fine furrows', () => {
-  test('have a separate layer behind those of lines, with areas by region', () => {
+  test('have a separate layer after those of wrinkle lines, with areas by region', () => {
     const { layers, furrows, areas, blood } = made.get(50)!
     expect(layers.length).toBeLessThanOrEqual(4)
     expect(layers.map(({ name }) => name).indexOf('furrows')).toBe(layers.length - 1)
@@ -58,7 +59,7 @@ describe('fine furrows', () => {
     for (const { layer } of [...areas, ...blood.areas]) expect(layer).toBeLessThan(layers.length - 1)
   })
 
-  test('cover all areas without a gap: their weights sum to 1', () => {
+  test('have areas whose weights sum to 1 where they meet', () => {
     const { areas } = made.get(50)!.furrows!
     let [full, touched] = [0, 0]
     for (let texel = 0; texel < areas[0].weights.data.length; texel++) {
@@ -72,7 +73,7 @@ describe('fine furrows', () => {
     expect(full / touched).toBeGreaterThan(0.9)
   })
 
-  test('are a net of cells of a set size, redrawn identically from the strokes document', () => {
+  test('are drawn identically from the strokes document', () => {
     const wrinkles = made.get(70)!
     const document = parseStrokes(JSON.parse(JSON.stringify(strokesOf(wrinkles))))
     const drawn = { width: SIZE, height: SIZE, data: new Float32Array(SIZE * SIZE) }
@@ -99,10 +100,10 @@ describe('fine furrows', () => {
     (name) => {
       const depths = [30, 50, 70].map((age) => {
         const heights = within(made.get(age)!, name).sort()
-        // The deepest percent are the bottoms of furrows.
+        // The first percentile is the depth of the bottoms of furrows. Half of it shows at rest.
         return -0.5 * heights[Math.floor(heights.length / 100)]
       })
-      // Bibb 2006, Medical Modelling, 6.17.3: primary and secondary lines are 0.02 to 0.2 mm deep.
+      // Primary and secondary lines of skin are 0.02 to 0.2 mm deep (Bibb 2006, Medical Modelling, 6.17.3).
       for (const depth of depths) expect(depth).toBeGreaterThan(0.02)
       for (const depth of depths) expect(depth).toBeLessThan(0.2)
       expect(depths[1]).toBeGreaterThan(1.05 * depths[0])
@@ -124,7 +125,7 @@ describe('fine furrows', () => {
     }
   })
 
-  test('are left out if texels are too large, with a message about the size that shows them', () => {
+  test('are left out if texels are too large, with a message that names a sufficient size', () => {
     const { layers, furrows, missing } = make({ size: 512 })
     expect(furrows).toBeUndefined()
     expect(layers.map(({ name }) => name)).not.toContain('furrows')
@@ -146,7 +147,7 @@ describe('fine furrows', () => {
     expect(isSame(first, other)).toBe(false)
   })
 
-  test('need a separate layer', () => {
+  test('are refused if no layer is left for them', () => {
     expect(() => make({ layers: 1 })).toThrow('fine furrows need a separate layer')
   })
 

@@ -3,7 +3,7 @@ import { expect, test } from 'vitest'
 
 const SETTINGS = { size: 64, areaSize: 32 }
 
-/** Side of a cell. The hand is a palm and five fingers, one cell apart and as deep as wide. */
+/** Edge length of the cubes that form the hand, metres. The hand has a palm and five fingers, one cube apart. */
 const CELL = 0.005
 const FINGERS = 5
 const [WIDTH, DEPTH, PALM, LENGTH] = [3, 3, 16, 14]
@@ -17,7 +17,7 @@ function isSolid(x: number, y: number, z: number): boolean {
   return isInside && (isPalm(y) || x % PITCH < WIDTH)
 }
 
-/** Returns the faces of cells that no other cell covers, each with its own texels. */
+/** Returns the outer faces of all cubes, each with separate texels. */
 function hand(): Omit<Skin, 'targets'> {
   const corners: number[] = []
   const along = [0, 1, 2]
@@ -56,7 +56,7 @@ function hand(): Omit<Skin, 'targets'> {
   }
 }
 
-/** Returns displacements of the fingers by a vertex's height above the palm. */
+/** Returns the offsets of a blendshape. `move` returns the offset of a finger's vertex, given its height above the palm. */
 function target({ positions }: Pick<Skin, 'positions'>, move: (finger: number, above: number) => number[]) {
   return Float32Array.from(positions, (_, i) => {
     const first = i - (i % 3)
@@ -75,13 +75,13 @@ function handWith(moves: readonly ((skin: Pick<Skin, 'positions'>) => Float32Arr
   return { ...skin, targets: moves.map((move, i) => ({ name: `target_${i}`, offsets: move(skin) })) }
 }
 
-test('fingers that part like lips get no lines, with a reason', () => {
+test('a hand whose fingers part like lips gets no lines, and a reason', () => {
   const { areas, emptyReason } = autoWrinkles(handWith([spread, curled]), SETTINGS)
   expect(areas).toEqual([])
   expect(emptyReason).toContain('looks like a head')
 })
 
-test('fingers that move one at a time are no face', () => {
+test('a hand whose fingers move one at a time is not taken for a face', () => {
   const moves = Array.from({ length: FINGERS }, (_, i) =>
     [spread, curled].map((move) => (skin: Pick<Skin, 'positions'>) => move(skin, (finger) => finger === i)),
   )

@@ -7,7 +7,7 @@ import {
 import { weldSurface } from '../../../../packages/furrow/src/author/skin/surface.ts'
 import { seeded } from '../../../random.ts'
 
-it('acrossOf contains all points of a box, and no more than necessary', () => {
+it('acrossOf returns the smallest range of unrolled x that contains a box', () => {
   const next = seeded(1)
   for (let round = 0; round < 500; round++) {
     const low = [180 * next() - 90, 0, 160 * next() - 80]
@@ -23,13 +23,13 @@ it('acrossOf contains all points of a box, and no more than necessary', () => {
   }
 })
 
-it('acrossOf includes everything behind the axis of the head', () => {
+it('acrossOf returns an infinite range for a box behind the axis of the head', () => {
   expect(acrossOf([-10, 0, -90], [10, 0, -80])).toEqual([-Infinity, Infinity])
 })
 
 it.each([
-  ['skin below a smaller piece that lies on it, as brows do', 3, 0],
-  ['the outermost piece where it is far from the skin', 30, 30],
+  ['the skin below a smaller surface that is close to it, like brows', 3, 0],
+  ['the outermost surface where it is far from the skin', 30, 30],
 ])('finds %s', (_, gap, z) => {
   const quad = (side: number, z: number) =>
     [-1, 1].flatMap((y) => [-1, 1].flatMap((x) => [side * x, side * y, z]))

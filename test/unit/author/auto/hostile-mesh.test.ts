@@ -8,13 +8,13 @@ const LINE = {
   normals: Float64Array.of(0, 0, 1, 0, 0, 1),
 }
 
-test('a huge triangle is searched for creases as fast as any other', () => {
+test('the search for wrinkle lines takes no longer in a huge triangle', () => {
   const grid = new LineGrid([LINE], [5])
   expect(grid.isNear([-1e9, -1e9, -1e9], [1e9, 1e9, 1e9])).toBe(true)
   expect(grid.isNear([-1e9, 1e6, -1e9], [1e9, 1e9, 1e9])).toBe(false)
 })
 
-test('creases are found from anywhere within their reach, and from nowhere else', () => {
+test('the search finds wrinkle lines from all points within their reach, and from no others', () => {
   const grid = new LineGrid([LINE], [5])
   const found = (x: number, y: number, z: number) => {
     const distances: number[] = []
@@ -28,7 +28,7 @@ test('creases are found from anywhere within their reach, and from nowhere else'
   expect(found(Number.NaN, 0, 0)).toEqual([])
 })
 
-test('the cost of finding creases on a skin grows linearly with its size', () => {
+test('the time to search a skin for wrinkle lines grows linearly with its size', () => {
   const comparedPerPosition = (millimetres: number) => {
     const lines = Array.from({ length: millimetres / 10 }, (_, row) => {
       const points = Float64Array.from(

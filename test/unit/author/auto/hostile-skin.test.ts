@@ -1,14 +1,11 @@
 import { autoWrinkles, skinCanvas } from 'furrow/author'
 import { expect, test } from 'vitest'
-import { drawMaps } from '../../../../packages/furrow/src/author/auto/raster/draw-maps.ts'
-import type { PreparedSkin } from '../../../../packages/furrow/src/author/auto/surface/prepare-skin.ts'
 import { checkCoverage } from '../../../../packages/furrow/src/author/skin/check-coverage.ts'
 import { SkinTexels } from '../../../../packages/furrow/src/author/skin/skin-texels.ts'
 import { weldSurface } from '../../../../packages/furrow/src/author/skin/surface.ts'
 import { seeded } from '../../../random.ts'
 import { sheet } from './sheet.ts'
 
-/** Repeats a list. */
 const repeated = <T>(list: ArrayLike<T>, times: number): T[] =>
   Array.from({ length: times }, () => Array.from(list)).flat()
 
@@ -27,14 +24,14 @@ test('strokes are not drawn on overlapping triangles', () => {
   )
 })
 
-test('a skin beyond the scale range of strokes documents is refused', () => {
+test('a skin that is too large for the scale of strokes documents is refused', () => {
   const { positions, uvs, indices } = sheet(8, 0)
   const targets = [{ name: 'press', offsets: positions.map((x) => -0.1 * x) }]
   const skin = { positions: positions.map((x) => 1e14 * x), uvs, indices, targets }
   expect(() => autoWrinkles(skin)).toThrow('autoWrinkles: the skin is far too large for a character')
 })
 
-test('triangles outside the texture cost nothing and are not refused', () => {
+test('triangles outside the texture do not count as overlapping', () => {
   const { uvs, indices } = sheet(8, 0)
   expect(() => checkCoverage({ uvs: uvs.map((x) => 1000 * x + 2), indices }, 'test')).not.toThrow()
 })
@@ -48,16 +45,6 @@ test('duplicate triangles do not change the borders', () => {
     return Array.from({ length: 64 * 64 }, (_, texel) => texels.locate(texel, weights))
   }
   expect(located(50)).toEqual(located(1))
-})
-
-test('a skin without creases is not mapped to texels', () => {
-  const untouched = new Proxy({} as PreparedSkin, {
-    get: () => {
-      throw new Error('the skin was read')
-    },
-  })
-  const settings = { size: 1024, areaSize: 128, frame: 'derivative' } as const
-  expect(drawMaps(untouched, [], [], settings, () => {})).toBeUndefined()
 })
 
 test('borders are searched for once, however many triangles lack neighbours', () => {

@@ -3,9 +3,9 @@ import { expect, test } from 'vitest'
 import { checkSkin } from '../../../../packages/furrow/src/author/auto/surface/check-skin.ts'
 import { chooseSkin } from '../../../../packages/furrow/src/author/auto/surface/choose-skin.ts'
 import { knownTargets } from '../../../../packages/furrow/src/author/auto/surface/known-targets.ts'
-import { skinAt } from './faces.ts'
+import { skinAt } from '../../../skin-at.ts'
 
-test('skin selected by its motion is not recognised a second time', async () => {
+test('blendshapes that were recognised to select the skin are not recognised again', async () => {
   const { targets, ...rest } = await skinAt(
     fileURLToPath(new URL('../../../../faces/human.glb', import.meta.url)),
   )

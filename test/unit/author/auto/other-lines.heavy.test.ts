@@ -1,7 +1,8 @@
 import { type AutoOptions, autoWrinkles, type Skin } from 'furrow/author'
 import { strokesOf } from 'furrow/internal'
 import { beforeAll, expect, test } from 'vitest'
-import { FACES, skinAt } from './faces.ts'
+import { skinAt } from '../../../skin-at.ts'
+import { FACES } from './faces.ts'
 
 let skin: Skin
 let first: Map<string, string>
@@ -24,13 +25,13 @@ test.each([
   expect(changed.filter((name) => !names.test(name))).toEqual([])
 })
 
-test('one seed for all regions equals the same seed for each', () => {
+test('a seed for all regions makes the same lines as that seed for each region', () => {
   const seeds = { chin: 5, neck: 5 }
   const regions = ['chin', 'neck'] as const
   expect(linesOf({ seeds, regions })).toEqual(linesOf({ seed: 5, regions }))
 })
 
-/** Returns the lines by group as text. */
+/** Returns the wrinkle lines of each group as text. */
 function linesOf(options: AutoOptions): Map<string, string> {
   const { strokes } = strokesOf(autoWrinkles(skin, { size: 512, areaSize: 64, ...options }))
   const lines = new Map<string, string>()

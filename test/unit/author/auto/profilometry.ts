@@ -1,7 +1,7 @@
 import { type AutoWrinkles, type Skin, skinCanvas } from 'furrow/author'
 import { driven } from '../../../driven.ts'
 
-/** Direction of scan lines per region: forehead lines lie above each other, glabella lines side by side. */
+/** Scan direction per region, across its wrinkle lines. Lines are horizontal on the forehead, and vertical at the glabella. */
 const SCANNED = {
   foreheadInnerLeft: 'down',
   crowsFeetLeft: 'down',
@@ -12,9 +12,9 @@ const SCANNED = {
 export type ScannedRegion = keyof typeof SCANNED
 export const SCANNED_REGIONS = Object.keys(SCANNED) as ScannedRegion[]
 
-/** Profile of a region as reported by profilometry, millimetres. */
+/** Profile of the wrinkles in a region, millimetres, as studies with profilometry report it. */
 export interface Profile {
-  /** Depth from valley to adjacent skin: mean of the deepest tenth of all valleys. */
+  /** Mean depth of the deepest tenth of all valleys, measured from the adjacent skin. */
   depth: number
   /** Median width of valleys at half depth. */
   width: number
@@ -29,12 +29,12 @@ interface Valley {
   spacing: number | undefined
 }
 
-/** Depth below which a valley is noise, as a fraction of the deepest. */
+/** Depth below which a valley counts as noise, as a fraction of the greatest depth. */
 const NOISE = 0.15
-/** Smallest area weight of the region's texels. */
+/** Minimum area weight, 0..255, of the texels that belong to the region. */
 const WITHIN = 128
 
-/** Measures the profile of a region's lines, fully shown, along rows or columns of the height map. */
+/** Measures the profile of the wrinkle lines of a region at full activation, along rows or columns of the height map. */
 export function measureProfile(skin: Skin, wrinkles: AutoWrinkles, region: ScannedRegion): Profile {
   const area = wrinkles.areas.find(({ name }) => name === region)
   if (!area) throw new Error(`no area ${region}`)
@@ -68,13 +68,13 @@ export function measureProfile(skin: Skin, wrinkles: AutoWrinkles, region: Scann
   }
 }
 
-/** Returns the fraction of a region's depth that shows at rest at an age. */
+/** Returns the activation of a region of a resting face at an age. */
 export function restingFraction(wrinkles: AutoWrinkles, region: ScannedRegion, age: number): number {
   const ageing = wrinkles.areas.find(({ name }) => name === region)?.ageing
   return ageing ? driven([ageing]).activations({ inputs: { age } })[region] : 0
 }
 
-/** Finds the valleys of a scan line: minima between two crests, with their depth below the lower crest. */
+/** Finds the valleys of a scan: minima between two crests. The depth of a valley is measured from the lower crest. */
 function valleysOf(heights: readonly number[], positions: readonly number[], noise: number): Valley[] {
   const found: (Valley & { at: number })[] = []
   for (let i = 1; i + 1 < heights.length; i++) {
@@ -93,7 +93,7 @@ function valleysOf(heights: readonly number[], positions: readonly number[], noi
   return found
 }
 
-/** Climbs from a valley to the next crest, where the skin falls again or the region ends. */
+/** Returns the index of the next crest beside a valley: where the skin falls again, or the region ends. */
 function crestFrom(heights: readonly number[], valley: number, step: 1 | -1): number {
   let i = valley
   while (heights[i + step] >= heights[i]) i += step

@@ -1,7 +1,8 @@
 import { type AutoWrinkles, autoWrinkles } from 'furrow/author'
 import { beforeAll, describe, expect, test } from 'vitest'
 import { bankSlope } from '../../../../packages/furrow/src/author/strokes/profile.ts'
-import { FACES, skinAt } from './faces.ts'
+import { skinAt } from '../../../skin-at.ts'
+import { FACES } from './faces.ts'
 import {
   measureProfile,
   type Profile,
@@ -12,13 +13,13 @@ import {
 
 const AGES = [30, 40, 50, 60, 70, 80] as const
 
-/** Depth limit of wrinkles of class 1, just perceptible, millimetres (Lemperle et al. 2001). */
+/** Maximum depth of wrinkles of class 1, "just perceptible", millimetres (Lemperle et al. 2001). */
 const PERCEPTIBLE = 0.2
 
-/** Slope of ten degrees. A steeper bank catches the light as a white rim. */
+/** Slope of ten degrees. A steeper bank, the raised skin beside a wrinkle, would shine as a white rim. */
 const STEEPEST_BANK = 0.18
 
-/** Lowest and highest value, millimetres: estimates from the sources in docs/auto.md. */
+/** Minimum and maximum by region, millimetres, estimated from the sources in docs/auto.md. */
 const BOUNDS = {
   foreheadInnerLeft: { expressed: [0.4, 1.6], rest70: [0.25, 0.6], width: [2, 3], spacing: [7, 15] },
   crowsFeetLeft: { expressed: [0.5, 0.9], rest70: [0.3, 0.6], width: [1, 1.6], spacing: [5, 12] },
@@ -54,7 +55,7 @@ describe.each(FACES)('%s, its heights measured', (_, path) => {
     },
   )
 
-  test.each(SCANNED_REGIONS)('has lines of %s as deep, wide and dense as skin', (region) => {
+  test.each(SCANNED_REGIONS)('has lines of %s as deep, wide and dense as on human skin', (region) => {
     const { expressed, rest70, width, spacing } = BOUNDS[region]
     expectWithin(atRest(region, 70), rest70)
     for (const age of [30, 50, 70]) {
@@ -77,7 +78,7 @@ describe.each(FACES)('%s, its heights measured', (_, path) => {
     }
   })
 
-  test('deepens lines in the eye corners fast from 40 to 60, and less after (Akazaki et al. 2002)', () => {
+  test('deepens lines in the eye corners faster from 40 to 60 than from 60 to 80 (Akazaki et al. 2002)', () => {
     const [at40, at60, at80] = [40, 60, 80].map((age) => atRest('crowsFeetLeft', age))
     expect(at60 - at40).toBeGreaterThan(1.5 * (at80 - at60))
   })

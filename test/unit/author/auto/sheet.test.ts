@@ -5,7 +5,7 @@ import { creaseDepth } from '../../../../packages/furrow/src/author/auto/lines/c
 import { layFreeLines } from '../../../../packages/furrow/src/author/auto/lines/free-lines.ts'
 import { STEP } from '../../../../packages/furrow/src/author/auto/lines/trace.ts'
 import { smooth } from '../../../../packages/furrow/src/author/auto/strain/smooth.ts'
-import { compressionTensors } from '../../../../packages/furrow/src/author/auto/strain/tensors.ts'
+import { compressionTensors } from '../../../../packages/furrow/src/author/auto/surface/tensors.ts'
 import { SkinTexels } from '../../../../packages/furrow/src/author/skin/skin-texels.ts'
 import { drawStrokes } from '../../../../packages/furrow/src/author/strokes/height.ts'
 import { COMPRESSION, SIDE, sheet } from './sheet.ts'
@@ -29,7 +29,7 @@ describe.each([
     style,
   })
 
-  test('has lines across within 5 degrees', () => {
+  test('has lines perpendicular to the compression, within 5 degrees', () => {
     for (const { points } of lines) {
       const [x, y] = [0, 1].map((k) => points[points.length - 3 + k] - points[k])
       const off = (Math.asin(Math.abs(x * cosine + y * sine) / Math.hypot(x, y)) * 180) / Math.PI
@@ -50,14 +50,14 @@ describe.each([
     expect(Math.max(...gaps)).toBeLessThan(1.15 * spacing)
   })
 
-  test('has a profile that takes up the length that the sheet loses', () => {
+  test('has a profile that is longer by the length that the sheet loses', () => {
     const skin = { positions, uvs, indices, targets: [] }
     const locator = new UvLocator(skin, surface)
     const { creases, compression } = creaseLines(
       { skin, surface, locator, isDrawn: () => true },
       { name: 'sheet', spacing, creasedFraction: 1, maxDepth: Infinity },
       lines,
-      1,
+      { strength: 1, symmetry: 0 },
     )
     expect(compression).toBeCloseTo(COMPRESSION, 3)
     const texels = new SkinTexels(skin, surface, SIZE, SIZE)
@@ -96,7 +96,7 @@ test('depth grows with compression from zero', () => {
   for (let i = 1; i < depths.length; i++) expect(depths[i]).toBeGreaterThan(depths[i - 1])
 })
 
-test('lines end at their total length limit', () => {
+test('no lines are added beyond their maximum total length', () => {
   const { surface, offsets } = sheet(20, 0)
   const tensors = compressionTensors(surface, offsets)
   const style = { width: 3, depth: 1, taper: [0, 0], shoulder: [0.9, 0.9], softness: 0.5 } as const

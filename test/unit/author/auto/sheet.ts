@@ -1,11 +1,11 @@
 import { weldSurface } from '../../../../packages/furrow/src/author/skin/surface.ts'
 
-/** Side of the sheet, millimetres. */
+/** Width and height of the sheet, millimetres. */
 export const SIDE = 80
 /** Fraction of length that the sheet loses. */
 export const COMPRESSION = 0.2
 
-/** Flat sheet of n x n squares, shortened by a fifth along a direction. */
+/** Returns a flat sheet of n x n squares, and the offsets that shorten it along a direction. */
 export function sheet(n: number, degrees: number) {
   const [cosine, sine] = [Math.cos((degrees * Math.PI) / 180), Math.sin((degrees * Math.PI) / 180)]
   const [positions, uvs, indices, offsets]: number[][] = [[], [], [], []]

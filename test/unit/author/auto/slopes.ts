@@ -4,7 +4,7 @@ import { interpolate } from '../../../../packages/furrow/src/core/reference.ts'
 import { dot, minus, plus, scaled, unit, type Vector, vectorAt } from '../../../vectors.ts'
 import type { CutSide } from './cuts.ts'
 
-/** Map with any number of channels. */
+/** Image with any number of channels. */
 export interface Channels {
   width: number
   height: number
@@ -12,12 +12,12 @@ export interface Channels {
   data: ArrayLike<number>
 }
 
-/** Samples a channel at a UV, filtered like renderers do. */
+/** Returns a channel at a UV, with bilinear filtering. */
 export function sample(map: Channels, [u, v]: CutSide['uv'], channel = 0): number {
   return interpolate(map, u, v, (i, j) => map.data[map.channels * (j * map.width + i) + channel])
 }
 
-/** Returns a normal map and its next mipmap levels: averages of two by two texels. */
+/** Returns a normal map and `count` mipmap levels, which average 2 x 2 texels. */
 export function levelsOf({ width, height, data }: RgbaImage, count: number): Channels[] {
   const levels: Channels[] = [{ width, height, channels: 4, data }]
   for (const { width, height, data } of levels) {
@@ -34,16 +34,16 @@ export function levelsOf({ width, height, data }: RgbaImage, count: number): Cha
   return levels
 }
 
-/** Returns the slope of the skin in space from a normal map at a UV of a triangle: x, y and z, millimetres per millimetre. */
+/** Returns the slope that a normal map has at a UV of a triangle: a vector in space, millimetres per millimetre. */
 export function slopeIn(skin: Skin, map: Channels, { triangle, uv }: CutSide): number[] {
   const [tangent, bitangent] = tangentFrame(skin, triangle)
   const [x, y, z] = [0, 1, 2].map((k) => sample(map, uv, k) / 127.5 - 1)
-  // Zero is byte 128, half a step too high.
+  // Byte 128 stands for 0 and decodes to 1 / 255, so subtract it.
   const [along, up] = [x - 1 / 255, y - 1 / 255]
   return tangent.map((value, k) => -(along * value + up * bitangent[k]) / z)
 }
 
-/** Returns orthonormal vectors in a triangle's plane: along u, and perpendicular towards smaller v. */
+/** Returns two orthonormal vectors in the plane of a triangle: one along u, the other towards smaller v. */
 function tangentFrame({ positions, uvs, indices }: Skin, triangle: number): readonly [Vector, Vector] {
   const [a, b, c] = [0, 1, 2].map((k) => indices[3 * triangle + k])
   const [u1, v1, u2, v2] = [b, c].flatMap((i) => [0, 1].map((k) => uvs[2 * i + k] - uvs[2 * a + k]))

@@ -4,11 +4,13 @@ import type { SkinSurface } from 'furrow/internal'
 import { coverTexels } from '../../../../packages/furrow/src/author/cover-texels.ts'
 
 /**
- * Regions of a face that must not crease, as surface points, found by geometry alone, independently of the code under test.
- * The skin has openings: neck (behind the face), eyes and mouth. The inside of an opening is skin connected with its border that is hidden
- * from the front or faces backwards: rims and insides of lids and lips.
- * Ears protrude farthest to the sides at the height of eyes and nose. They are behind a plane 30 mm in front of that point and more than 55
- * mm from the middle of the head. They extend from 50 mm below the point to 30 mm above (an adult's ear is 63 mm high).
+ * Regions of a face that must not have wrinkles, as indices of surface points. They are found without the code under test.
+ *
+ * - `eyes` and `lips`: the skin inside an opening of the mesh, such as the rims and insides of lids and lips. This skin is connected with the
+ *   border of the opening. It is hidden from the front, or its normals point backwards.
+ * - `ears`: points around the tip of an ear. The tip is the point farthest to the side, at most 60 mm above or below the eyes. The region's points are
+ *   more than 55 mm from the middle of the head. Relative to the tip, they are at most 30 mm in front, 30 mm above and 50 mm below. An
+ *   adult's ear is 63 mm high.
  */
 export interface SmoothRegions {
   eyes: Set<number>
@@ -16,7 +18,11 @@ export interface SmoothRegions {
   ears: Set<number>
 }
 
-/** @param surface millimetres, x to the person's left, y up, z forwards, origin between the eyes. */
+/**
+ * Finds the regions of a face that must not have wrinkles.
+ *
+ * @param surface skin in millimetres: x to the person's left, y up, z forwards, origin between the eyes.
+ */
 export function smoothRegions(surface: SkinSurface): SmoothRegions {
   const { points, normals, neighbourStarts, neighbours } = surface
   const isHidden = hiddenFromFront(surface)
@@ -36,7 +42,7 @@ export function smoothRegions(surface: SkinSurface): SmoothRegions {
   return regions
 }
 
-/** Returns the points of each closed border of the surface. */
+/** Returns the points along each closed border of the surface. */
 function openingsOf({ corners, adjacent }: SkinSurface): number[][] {
   const next = new Map<number, number>()
   for (let i = 0; i < corners.length; i++) {
@@ -56,13 +62,14 @@ function openingsOf({ corners, adjacent }: SkinSurface): number[][] {
   return openings
 }
 
-/** Side of the depth map from the front (texels), and of a texel (millimetres). */
+/** Width of the depth map of the face seen from the front, texels. */
 const SIDE = 1024
+/** Width of a texel of the depth map, millimetres. */
 const TEXEL = 0.5
-/** Distance by which hiding skin must be in front, millimetres. */
+/** Minimum distance between a hidden point and the skin in front of it, millimetres. */
 const IN_FRONT = 1.5
 
-/** Returns 1 for points with other skin in front of them. */
+/** Returns 1 for each point that other skin hides from the front, otherwise 0. */
 function hiddenFromFront({ points, corners }: SkinSurface): Uint8Array {
   const count = points.length / 3
   const uvs = Float64Array.from({ length: 2 * count }, (_, i) => {
@@ -96,12 +103,12 @@ function earsOf(points: Float64Array): Set<number> {
   return new Set(ears)
 }
 
-/** Returns the triangles whose corners are all among some points. */
+/** Returns the triangles whose three corners are in a set of points. */
 export function trianglesIn({ corners, skinTriangles }: SkinSurface, points: ReadonlySet<number>): number[] {
   return [...skinTriangles.keys()].filter((t) => [0, 1, 2].every((k) => points.has(corners[3 * t + k])))
 }
 
-/** Returns the ear points of the shipped face, which its hair leaves free, from the builder's landmarks. */
+/** Finds the points of the shipped face's ears. Reads the outline of the hair from the script that builds the face. */
 export function shippedEars({ uvs }: Skin, { pointOf }: SkinSurface): Set<number> {
   const landmarks = readFileSync(
     new URL('../../../../faces/builder/person/landmarks.py', import.meta.url),
@@ -109,7 +116,7 @@ export function shippedEars({ uvs }: Skin, { pointOf }: SkinSurface): Set<number
   )
   const [, list] = /^HAIR = \[([^\]]*?),?\s*\]/m.exec(landmarks) ?? []
   const hair: [number, number][] = JSON.parse(`[${list.replaceAll('(', '[').replaceAll(')', ']')}]`)
-  // The hair's outline runs down in front of the ear, over it, and down behind it.
+  // The outline of the hair goes down in front of the ear, up and over the ear, and down behind it.
   const front = hair.reduce((best, [, v], i) => (i < 20 && v > hair[best][1] ? i : best), 0)
   const back = hair.findIndex(([u, v], i) => i > front && u > hair[front][0] && v > hair[front][1])
   const outline = hair.slice(front, back + 1)

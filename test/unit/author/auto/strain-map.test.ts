@@ -1,11 +1,11 @@
 import { strainMaps } from 'furrow/internal'
 import { describe, expect, test } from 'vitest'
 
-/** Side of the sheet (metres) and of the map (texels). */
+/** Width of the sheet (metres) and of the map (texels). */
 const SIDE = 0.2
 const SIZE = 64
 
-/** Sheet in the left half of its texture with targets that shorten it across and up. */
+/** Returns a sheet that uses the left half of its texture, and has blendshapes that shorten it in x and in y. */
 function skin(n: number) {
   const [positions, uvs, indices, across, up]: number[][] = [[], [], [], [], []]
   for (let j = 0; j <= n; j++) {
@@ -27,7 +27,7 @@ function skin(n: number) {
 }
 
 describe('strain maps', () => {
-  // Expected: principal compression of the targets, and 0 where skin is stretched.
+  // The expected value is the larger principal compression, and 0 if the skin is only stretched.
   test.each<[Record<string, number>, number]>([
     [{ across: 1 }, 0.1],
     [{ across: 0.5, up: 0.5 }, 0.05],
@@ -45,7 +45,7 @@ describe('strain maps', () => {
     }
   })
 
-  test('of a skin in another texture tile equal those of the first tile', () => {
+  test('are the same for a skin in another UV tile', () => {
     const first = skin(12)
     const moved = { ...first, uvs: first.uvs.map((value, i) => value + (i % 2 === 0 ? 2 : -1)) }
     const [map, expected] = [moved, first].map((sheet) => strainMaps(sheet, [{ across: 1 }], SIZE)[0].data)

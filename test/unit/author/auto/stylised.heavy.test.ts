@@ -1,7 +1,8 @@
 import { autoWrinkles, type Skin } from 'furrow/author'
 import { beforeAll, expect, test } from 'vitest'
 import { implausibleMeasures } from '../../../../packages/furrow/src/author/auto/anatomy/proportions.ts'
-import { FACES, prepareFace, skinAt } from './faces.ts'
+import { skinAt } from '../../../skin-at.ts'
+import { FACES, prepareFace } from './faces.ts'
 
 const SETTINGS = { size: 64, areaSize: 32 }
 
@@ -12,7 +13,7 @@ beforeAll(async () => {
   human = await skinAt(path)
 })
 
-/** Stretches a head and its blendshapes along an axis. */
+/** Returns the shipped head, stretched with its blendshapes along an axis. */
 function stretched(axis: 1 | 2, factor: number): Skin {
   const scale = (vectors: ArrayLike<number>) =>
     Float32Array.from(vectors, (value, i) => (i % 3 === axis ? factor * value : value))
@@ -38,7 +39,7 @@ test('a head without a nose gets no lines on it, with a one-line reason', () => 
   expect(messages[0]).toMatch(/the nose protrudes by \d+ mm, not 12 to 70/)
 })
 
-test('requested regions are made anyway', () => {
+test('a requested region gets lines on such a head too', () => {
   const { areas, warnings } = regionsOf(stretched(2, 0.25), { regions: ['nasolabial'] })
   expect(areas).toContain('nasolabialLeft')
   expect(warnings.join()).not.toContain('stylised')
@@ -49,7 +50,7 @@ test('a mouth right below the eyes gets no lines around it', () => {
   expect(areas.some((name) => /mouthCorner|Lip|chin|neck|nasolabial/.test(name))).toBe(false)
 })
 
-/** Pulls mouth and nose of a head forwards. */
+/** Returns the shipped head with mouth and nose pulled forwards. */
 function muzzled(metres: number): Skin {
   const { offsets } = human.targets.find(({ name }) => name === 'mouthPucker')!
   const middle = [0, 0, 0]
@@ -85,6 +86,8 @@ test('eyes that reach from nose to temple get no lines around them', () => {
   expect(implausibleMeasures({ landmarks: huge, surface }).flatMap(({ regions }) => regions)).toEqual([
     'crowsFeet',
     'underEye',
+    'bag',
+    'hood',
   ])
 })
 

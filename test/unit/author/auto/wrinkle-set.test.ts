@@ -4,7 +4,7 @@ import { expect, it } from 'vitest'
 it('automatic wrinkles have heights at half resolution, with their amplitude in metres', () => {
   const gray = { width: 4, height: 4, data: new Uint8Array(16).fill(255) }
   const normal = { ...gray, data: new Uint8Array(64).fill(255) }
-  // Heights in millimetres: a bulge in one quarter, and a valley twice as deep in another.
+  // A bulge in one quarter of the map, and a valley twice as deep in another, millimetres.
   const data = Float32Array.from({ length: 16 }, (_, i) =>
     i % 4 < 2 && i < 8 ? 0.2 : i % 4 > 1 && i > 7 ? -0.4 : 0,
   )
@@ -14,6 +14,7 @@ it('automatic wrinkles have heights at half resolution, with their amplitude in 
     layers: [layer],
     areas: [],
     blood,
+    bulges: [],
     furrows: undefined,
     expressions: [],
   }).layers

@@ -2,7 +2,7 @@ import { expect, test } from 'vitest'
 import { assign } from '../../../../packages/furrow/src/author/shapes/matching/assign.ts'
 import { seeded } from '../../../random.ts'
 
-/** Returns the smallest total cost of assigning each row a different column, by trying all ways. */
+/** Returns the smallest total cost of assigning a different column to each row. Tries all assignments. */
 function minCost(cost: readonly Float64Array[], row = 0, taken = new Set<number>()): number {
   if (row === cost.length) return 0
   let least = Number.POSITIVE_INFINITY
@@ -34,6 +34,6 @@ test.each([
   }
 })
 
-test('no rows get no columns', () => {
+test('the assignment of no rows is empty', () => {
   expect(assign([])).toEqual([])
 })

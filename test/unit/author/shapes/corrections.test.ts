@@ -10,7 +10,7 @@ import {
 import { beforeAll, describe, expect, it } from 'vitest'
 import { knownTargets } from '../../../../packages/furrow/src/author/auto/surface/known-targets.ts'
 import { TEMPLATE_FACES } from '../../../../scripts/lib/shape-templates.ts'
-import { skinAt } from '../auto/faces.ts'
+import { skinAt } from '../../../skin-at.ts'
 
 let human: Skin
 
@@ -21,7 +21,7 @@ beforeAll(async () => {
 const indexOf = (name: string) => human.targets.findIndex((target) => target.name === name)
 const corrected = (...corrections: ShapeCorrection[]) => correctSkin(human, corrections, ['skin'])
 
-/** Returns indices of the targets that `auto` uses for a shape. */
+/** Returns the indices of the blendshapes that automatic wrinkles use as a shape of ARKit. */
 function found(skin: Skin, shape: string): number[] {
   const { known, hints } = knownTargets(skin)
   return faceShapeFinder(known, hints)(shape)
@@ -42,7 +42,7 @@ describe('corrections in a file', () => {
     expect(() => parseCorrections(json, 'test')).toThrow(message)
   })
 
-  it('are read without malformed ones if errors are collected', () => {
+  it('are read without malformed ones if the caller collects errors', () => {
     const errors: FurrowError[] = []
     const json = [
       { target: 'a', shape: 'jawOpen', extras: {} },
@@ -73,7 +73,7 @@ describe('a correction', () => {
     expect(changed).toEqual(isFound ? [[indexOf('browInnerUp'), 'jawOpen']] : [])
   })
 
-  it('wins if it comes first', () => {
+  it('is used if it is the first of two for one blendshape', () => {
     const skin = corrected({ target: 'jawOpen' }, { target: 'jawOpen', shape: 'mouthSmile' })
     expect(skin.targets[indexOf('jawOpen')]!.correction).toBeNull()
   })
@@ -90,7 +90,7 @@ describe('a correction', () => {
   it('decides which blendshapes automatic wrinkles use for a shape', () => {
     const [up, sneer] = [indexOf('browInnerUp'), indexOf('noseSneerLeft')]
     expect(found(human, 'browInnerUp')).toEqual([up])
-    // The first one's name then counts no more than others.
+    // A correction excludes the blendshape that only has the right name.
     expect(found(corrected({ target: 'noseSneerLeft', shape: 'browInnerUp' }), 'browInnerUp')).toEqual([
       sneer,
     ])
@@ -101,14 +101,14 @@ describe('a correction', () => {
     expect(found(half, 'browInnerUp')).toEqual([sneer])
   })
 
-  it('of a shape that ARKit lacks is refused', () => {
+  it('to a shape that ARKit lacks is refused', () => {
     const skin = corrected({ target: 'browInnerUp', shape: 'joy' })
     expect(() => autoWrinkles(skin)).toThrow(
       'the correction of blendshape "browInnerUp" is unknown, got "joy"',
     )
   })
 
-  it('frees the shape that its blendshape was used for', () => {
+  it('allows another blendshape to be recognised as the former shape', () => {
     const [up, wide] = ['browInnerUp', 'eyeWideLeft'].map((name) => human.targets[indexOf(name)]!)
     const offsets = Float32Array.from(up!.offsets, (x, i) => x + 0.8 * wide!.offsets[i]!)
     const others = human.targets.filter((target) => target !== up)

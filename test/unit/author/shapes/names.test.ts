@@ -5,19 +5,23 @@ import { SCHEMES } from '../../../rigs/naming-schemes.ts'
 
 const ARKIT = ALIASES.map(([first]) => first!).slice(0, 52)
 
-test.each(Object.entries(SCHEMES))('names of %s give their shapes and sides', (_, spell) => {
-  let known = 0
-  for (const shape of ARKIT) {
-    const own = spell(shape)
-    for (const [i, name] of (own === undefined ? [] : [own].flat()).entries()) {
-      const hint = hintOf(name)
-      expect(hint?.shapes, name).toContain(shape)
-      if (Array.isArray(own)) expect(hint, name).toMatchObject({ match: 'part', side: ['Left', 'Right'][i] })
-      known++
+test.each(Object.entries(SCHEMES))(
+  'the shape and side of a blendshape follow from its name in %s',
+  (_, spell) => {
+    let known = 0
+    for (const shape of ARKIT) {
+      const own = spell(shape)
+      for (const [i, name] of (own === undefined ? [] : [own].flat()).entries()) {
+        const hint = hintOf(name)
+        expect(hint?.shapes, name).toContain(shape)
+        if (Array.isArray(own))
+          expect(hint, name).toMatchObject({ match: 'part', side: ['Left', 'Right'][i] })
+        known++
+      }
     }
-  }
-  expect(known).toBeGreaterThan(10)
-})
+    expect(known).toBeGreaterThan(10)
+  },
+)
 
 describe('hintOf', () => {
   it.each([

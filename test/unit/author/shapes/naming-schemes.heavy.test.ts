@@ -1,8 +1,9 @@
 import { autoWrinkles, type Skin } from 'furrow/author'
 import { beforeAll, describe, expect, test } from 'vitest'
 import { SCHEMES } from '../../../rigs/naming-schemes.ts'
-import { respelled } from '../../../rigs/rename.ts'
-import { FACES, skinAt } from '../auto/faces.ts'
+import { withNamesOf } from '../../../rigs/rename.ts'
+import { skinAt } from '../../../skin-at.ts'
+import { FACES } from '../auto/faces.ts'
 import { overlap } from './overlap.ts'
 
 let human: Skin
@@ -18,7 +19,7 @@ const make = (skin: Skin) => {
 
 const references = new Map<string, ReturnType<typeof make>>()
 
-/** Made once for all schemes with the same shapes. */
+/** Makes the automatic wrinkles of a face with ARKit names, once for all schemes with the same blendshapes. */
 function reference(skin: Skin): ReturnType<typeof make> {
   const key = skin.targets.map(({ name }) => name).join()
   const made = references.get(key) ?? make(skin)
@@ -27,9 +28,9 @@ function reference(skin: Skin): ReturnType<typeof make> {
 }
 
 describe("a face has the same areas with the names of any rig as with ARKit's", () => {
-  test.each(Object.entries(SCHEMES))('%s', (_, spell) => {
-    const arkit = reference(respelled(human, spell, (_, shape) => shape))
-    const other = make(respelled(human, spell))
+  test.each(Object.entries(SCHEMES))('%s', (_, scheme) => {
+    const arkit = reference(withNamesOf(human, scheme, (_, shape) => shape))
+    const other = make(withNamesOf(human, scheme))
     const names = (areas: typeof arkit.areas) => areas.map(({ name }) => name).sort()
     expect(names(other.areas)).toEqual(names(arkit.areas))
     expect(other.areas.length).toBeGreaterThan(5)
@@ -37,7 +38,7 @@ describe("a face has the same areas with the names of any rig as with ARKit's", 
       overlap(weights.data, arkit.areas.find((area) => area.name === name)!.weights.data),
     )
     expect(overlaps.reduce((a, b) => a + b, 0) / overlaps.length).toBeGreaterThan(0.9)
-    // Drivers and expressions use names of the file.
+    // Drivers and expressions use the names in the file.
     for (const { driver } of other.areas)
       for (const { name } of driver.targets) expect(other.targets).toContain(name)
     const smile = other.expressions.find(({ name }) => name === 'happy')!

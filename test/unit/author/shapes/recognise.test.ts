@@ -9,10 +9,10 @@ import { templateHeads } from '../../../../packages/furrow/src/author/shapes/tem
 import { TEMPLATE_FACES, templateText } from '../../../../scripts/lib/shape-templates.ts'
 import { SCANS } from '../../../bare-faces/bare-faces.ts'
 import { seeded } from '../../../random.ts'
+import { skinAt } from '../../../skin-at.ts'
 import { unlabelledShapes } from '../../../unlabelled-shapes.ts'
-import { skinAt } from '../auto/faces.ts'
 
-/** Shapes that wrinkles depend on. */
+/** Matches the shapes of ARKit that wrinkles depend on. */
 const MATTER =
   /^(brow(Down|OuterUp|InnerUp)|eye(Blink|Squint)|cheek(Squint|Puff)|noseSneer|mouth(Smile|Frown|Pucker)|jawOpen)/
 
@@ -23,7 +23,7 @@ beforeAll(async () => {
   human = await skinAt(TEMPLATE_FACES.builder[1])
 })
 
-/** Replaces names by numbers, and returns ARKit's spellings as truth. Drops other shapes and shapes that do not move the skin. */
+/** Keeps the ARKit shapes that move the skin, and replaces their names by numbers. `truth` has their names in ARKit. */
 function nameless(skin: Skin): { skin: Skin; truth: string[] } {
   const moving = skin.targets.filter(
     ({ name, offsets }) =>
@@ -35,7 +35,7 @@ function nameless(skin: Skin): { skin: Skin; truth: string[] } {
   }
 }
 
-/** Returns a skin with mapped coordinates. */
+/** Returns a skin with a function applied to its positions and to the offsets of its blendshapes. */
 function transformed(skin: Skin, map: (x: number, y: number, z: number) => number[]): Skin {
   const all = (values: ArrayLike<number>) => {
     const out = new Float32Array(values.length)
@@ -48,7 +48,7 @@ function transformed(skin: Skin, map: (x: number, y: number, z: number) => numbe
 
 const swapped = (name: string) => name.replace(/Left|Right/, (side) => (side === 'Left' ? 'Right' : 'Left'))
 
-/** Makes a target from an offset per vertex. */
+/** Makes a blendshape. `offset` returns the offset of a vertex. */
 function target(name: string, offset: (i: number) => number[]) {
   const offsets = new Float32Array(human.positions.length)
   for (let i = 0; i < offsets.length / 3; i++) offsets.set(offset(i), 3 * i)
@@ -86,7 +86,7 @@ describe('shapes without names', () => {
     expect(found).toEqual(truth.map(rename))
   })
 
-  test('have no wrong match among ten or twenty', () => {
+  test('have no wrong match if a face has only ten or twenty', () => {
     const { skin, truth } = nameless(human)
     let known = 0
     for (const count of [10, 20]) {
@@ -107,35 +107,35 @@ describe('shapes without names', () => {
     expect(known).toBeGreaterThan(8)
   })
 
-  test('have no wrong match on a mouth that only speaks', () => {
+  test('have no wrong match if a face has only shapes of speech', () => {
     const { skin, truth } = nameless(human)
     const speech = truth.flatMap((name, i) =>
       /^(jawOpen|mouth(Pucker|Funnel|Close|Stretch))/.test(name) ? [i] : [],
     )
     const found = recogniseShapes({ ...skin, targets: speech.map((i) => skin.targets[i]!) }).shapes
-    // Without closing lids, the position of the eyes is a guess.
+    // A shape may stay unknown: without a shape that closes the lids, the positions of the eyes are a guess.
     for (const [k, { shape }] of found.entries()) expect([undefined, truth[speech[k]!]]).toContain(shape)
   })
 })
 
-test('names are kept if motion agrees', () => {
+test('names are used if the motion agrees', () => {
   for (const { name, shape, isMisnamed } of recogniseShapes(human).shapes) {
     expect([shape, isMisnamed]).toEqual([name, false])
   }
 })
 
-test('motion overrides names of the wrong side or of another shape', () => {
+test('motion overrides names with the wrong side or of another shape', () => {
   const wrong: Record<string, string> = { jawOpen: 'browInnerUp', browInnerUp: 'jawOpen' }
   const targets = human.targets.map(({ name, offsets }) => ({ name: wrong[name] ?? swapped(name), offsets }))
   const found = recogniseShapes({ ...human, targets }).shapes
   for (const [i, { name }] of human.targets.entries()) {
-    // Mouth motion to a side is recognised by direction alone, and the tongue is another mesh.
+    // Skips other shapes, such as sideways motion of the mouth, and the tongue, which is another mesh.
     if (!/^(eye|brow|cheek|nose|mouth(Smile|Frown)|jawOpen)/.test(name)) continue
     expect([name, found[i]!.shape]).toEqual([name, name])
   }
 })
 
-test('proportions, hidden parts, turned heads and corrective shapes are unknown', () => {
+test('shapes that change proportions, move hidden parts, turn the head or correct other shapes are unknown', () => {
   const { skin } = nameless(human)
   const { positions } = human
   const eyes =
@@ -153,7 +153,7 @@ test('proportions, hidden parts, turned heads and corrective shapes are unknown'
   expect(found.map(({ shape }) => shape)).toEqual(others.map(() => undefined))
 })
 
-test('confident matches are right among sliders and composites', () => {
+test('confident matches are right on a face that also has shapes for proportions and expressions', () => {
   const { skin, truth } = nameless(human)
   const others = unlabelledShapes(human)
   const found = recogniseShapes({ ...skin, targets: [...skin.targets, ...others] }, [scan!]).shapes
@@ -172,7 +172,7 @@ test('a mesh without a face has no shapes', () => {
   expect(recogniseShapes(broken).shapes.every(({ by }) => by === 'name')).toBe(true)
 })
 
-test('the table equals that of the faces it names', async () => {
+test('the committed table of templates equals the one computed from its faces', async () => {
   expect(await templateText(TEMPLATE_FACES.builder)).toBe(TEMPLATES.builder)
   for (const { path } of SCANS) expect(await templateText([path])).toBe(TEMPLATES.scan)
 })

@@ -11,7 +11,7 @@ test('the table has a row for each rig', () => {
   expect(rigs, 'out of date: npm run rig-table').toEqual(Object.keys(ROWS))
 })
 
-test('a face without names has the areas listed in the table', async () => {
+test('a face with meaningless names has the areas listed in the table', async () => {
   const row = rowOf('no names', await readFace(resolve('.')))
   expect(table, 'out of date: npm run rig-table').toContain(row)
 })

@@ -14,10 +14,10 @@ const CAPTURE: Capture = {
   ]),
 }
 
-/** Returns a face of meshes with these blendshapes. */
+/** Returns a face with one mesh for each list of blendshapes. */
 const faceOf = (...meshes: string[][]) => new Group().add(...meshes.map((names) => blendMesh(...names)))
 
-/** Returns the weights of the meshes at a time. */
+/** Plays the clip up to a time, and returns the weights of each mesh. */
 function weightsAt(face: Group, time: number): number[][] {
   const mixer = new AnimationMixer(face)
   mixer.clipAction(captureClip(CAPTURE, face)).play()
@@ -33,7 +33,7 @@ it.each([
   expect(weightsAt(faceOf(names), 1)).toEqual([[0.5, 0.25]])
 })
 
-it('a capture moves every mesh, and both halves of a split blendshape', () => {
+it('a capture moves each mesh, and both halves of a blendshape that the face splits into left and right', () => {
   const face = faceOf(['jawOpen', 'smile'], ['browInnerUp_L', 'browInnerUp_R', 'jawOpen'])
   expect(weightsAt(face, 1)).toEqual([
     [0.25, 0],

@@ -30,7 +30,7 @@ const refused = (text: BlobPart) =>
   )
 
 describe('a Live Link Face take', () => {
-  it('has its blendshape weights over time, also past midnight, and no rotations', async () => {
+  it('is read as blendshape weights over time, also past midnight, and without rotations', async () => {
     const { name, times, weights } = await read(TAKE)
     expect(name).toBe('take')
     expect([...times]).toEqual([0, Math.fround(1 / 60), Math.fround(2 / 60)])
@@ -48,12 +48,12 @@ describe('a Live Link Face take', () => {
     ['its cells are quoted', textOf(TAKE.map((cells) => cells.map((cell) => `"${cell}"`)))],
     ['its last row is cut off', `${textOf(TAKE)}00:00:00:01.250,9,0.`],
   ])('is read the same with %s', async (_, text) => {
-    // Decimal commas cannot have fractional frames.
+    // With commas between the columns, a fraction of a frame cannot have a decimal comma.
     const restored = text.replace(/:(\d\d),(\d+)/g, ':$1.$2')
     expect(await readLiveLinkFace(file(restored))).toEqual(await read(TAKE))
   })
 
-  it('may lack columns, and may have columns in another order', async () => {
+  it('may lack some columns, and have the others in another order', async () => {
     const short = TAKE.map((cells) => [cells[3], cells[0]])
     const { weights } = await read(short)
     expect([...weights]).toEqual([['JawOpen', (await read(TAKE)).weights.get('JawOpen')]])
@@ -71,7 +71,7 @@ describe('a Live Link Face take', () => {
     expect(times[2]).toBe(1)
   })
 
-  it('skips frames that are not later than the last one', async () => {
+  it('skips frames that are not later than the frame before', async () => {
     const { times, weights } = await read([
       HEADER,
       row('10:00:00:00', 0.1),
@@ -82,12 +82,12 @@ describe('a Live Link Face take', () => {
     expect([...weights.get('EyeBlinkLeft')!]).toEqual([0.1, 0.3].map(Math.fround))
   })
 
-  it('has weights within 0 and 1', async () => {
+  it('has its weights limited to 0..1', async () => {
     const { weights } = await read([HEADER, row('10:00:00:00', -0.5), row('10:00:00:01', 1.5)])
     expect([...weights.get('EyeBlinkLeft')!]).toEqual([0, 1])
   })
 
-  it('is found among the other tables of its folder', async () => {
+  it('is recognised among the other tables of its folder', async () => {
     const log = file('1,2\n3,4\n', 'frame_log.csv')
     const calibration = file(textOf(TAKE.slice(0, 3)), 'take_cal.csv')
     expect((await readCapture([log, calibration, file(textOf(TAKE))])).name).toBe('take')
@@ -98,7 +98,7 @@ describe('a Live Link Face take', () => {
 describe('a skipped cell', () => {
   const take = (...rows: string[]) => readLiveLinkFace(file(`Timecode,JawOpen,JawLeft\n${rows.join('\n')}\n`))
 
-  it('of a weight is interpolated between its neighbours, or takes the nearest', async () => {
+  it('gets a weight interpolated between its neighbours, or the nearest one at either end', async () => {
     const { weights } = await take(
       '1:0:0:0,,',
       '1:0:0:1,0.2,',
@@ -110,7 +110,7 @@ describe('a skipped cell', () => {
     expect([...weights.get('JawOpen')!].map((value) => Number(value.toFixed(3)))).toEqual([
       0.2, 0.2, 0.4, 0.6, 0.8, 0.8,
     ])
-    // A column without any weight moves nothing.
+    // A column without any weight is left out.
     expect([...weights.keys()]).toEqual(['JawOpen'])
   })
 
@@ -126,7 +126,7 @@ describe('a skipped cell', () => {
   })
 })
 
-describe('an unplayable take is reported in one line:', () => {
+describe('a take that cannot be played is refused with a message of one line:', () => {
   const header = `${HEADER.join(',')}\n`
   it.each([
     ['nothing', '', 'its first row has no Timecode, allowed: a CSV of Live Link Face'],
@@ -137,7 +137,11 @@ describe('an unplayable take is reported in one line:', () => {
     ['no blendshapes', 'Timecode,HeadYaw\n10:00:00:00,1\n', 'it has no blendshapes'],
     ['no number', textOf([HEADER, row('10:00:00:00', Number.NaN)]), 'frame 1, EyeBlinkLeft, got "NaN"'],
     ['an infinite one', textOf([HEADER, row('1:0:0:0'), row('1:0:0:1', 0, Infinity)]), 'frame 2, JawOpen'],
-    ['another time', `Timecode,JawOpen\n0.25,1\n`, 'frame 1, its timecode, got "0.25", allowed: HH:MM:SS:FF'],
+    [
+      'another time',
+      `Timecode,JawOpen\n0.25,1\n`,
+      'frame 1, invalid timecode, got "0.25", allowed: HH:MM:SS:FF',
+    ],
     ['a torn row', textOf([HEADER, ['10:00:00:00', '9'], row('10:00:00:01')]), 'frame 1, cells are missing'],
   ])('%s', async (_, content, problem) => {
     const message = await refused(content)
@@ -146,7 +150,7 @@ describe('an unplayable take is reported in one line:', () => {
     expect(message).not.toContain('\n')
   })
 
-  it('100 MB that are no take, after the first of them', async () => {
+  it('a file of 100 MB that is not a take, once its first megabytes are read', async () => {
     let read = 0
     const endless = new ReadableStream<Uint8Array>({
       pull(controller) {
@@ -159,7 +163,7 @@ describe('an unplayable take is reported in one line:', () => {
     expect(read).toBeLessThan(5)
   })
 
-  it('200 MB, before they are read', async () => {
+  it('a file of 200 MB, without reading it', async () => {
     const large = file('', 'large.csv')
     Object.defineProperty(large, 'size', { value: 200 * 2 ** 20 })
     await expect(readLiveLinkFace(large)).rejects.toThrow('it is too large, got "200 MB", allowed: 128 MB')

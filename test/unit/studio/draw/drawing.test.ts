@@ -5,8 +5,9 @@ import { Drawing } from '../../../../studio/src/draw/drawing.ts'
 import { sampleDocument } from '../sample-document.ts'
 
 const prepared: unknown[] = []
+const SETTINGS = { base: null, hasOnset: false }
 
-/** Worker that records what it is asked to prepare, and draws nothing. */
+/** Fake worker. It records its preparation requests, and draws nothing. */
 function FakeWorker() {
   const { port1, port2 } = new MessageChannel()
   const service = {
@@ -34,19 +35,19 @@ describe('the worker that draws strokes', () => {
     vi.unstubAllGlobals()
   })
 
-  it('receives the index in the layer of the stroke that may be edited next, or none', async () => {
+  it('is asked to prepare for the selected stroke, by its index in the layer, or for no stroke', async () => {
     const stroke = sampleDocument().strokes[0]
     const others = [{ ...stroke }, stroke]
-    await drawing.draw(stroke.layer, others, null)
+    await drawing.draw(stroke.layer, others, SETTINGS)
     await drawing.prepare(stroke)
     await drawing.prepare(null)
     expect(prepared).toEqual([{ layer: stroke.layer, index: 1 }, null])
   })
 
-  it('keeps preparing if the next stroke was not drawn by it', async () => {
+  it('gets no request for a stroke that it has not drawn, and keeps its preparation', async () => {
     const stroke: LayerStroke = sampleDocument().strokes[0]
     await drawing.prepare(stroke)
-    await drawing.draw(stroke.layer, [stroke], null)
+    await drawing.draw(stroke.layer, [stroke], SETTINGS)
     await drawing.prepare({ ...stroke })
     expect(prepared).toEqual([])
   })

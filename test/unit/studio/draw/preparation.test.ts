@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest'
 import { Preparation } from '../../../../studio/src/draw/preparation.ts'
 
-/** Returns some steps, and how many ran in each task. */
+/** Returns a generator of steps, and counts how many of them run in each task of the event loop. */
 function counted(total: number) {
   const tasks: number[] = []
   let task = -1
@@ -23,13 +23,13 @@ function counted(total: number) {
 }
 
 describe('a preparation', () => {
-  it('runs in slices, each a separate task, so that calls can run in between', async () => {
+  it('runs in several tasks of the event loop, so that calls can run in between', async () => {
     const { tasks, steps } = counted(20)
     await new Preparation().run(steps)
     expect(tasks).toEqual([8, 8, 4])
   })
 
-  it('ends when another one begins, or none', async () => {
+  it('ends when another preparation begins, or when it is replaced by none', async () => {
     const preparation = new Preparation()
     const [first, second] = [counted(20), counted(20)]
     const runs = [preparation.run(first.steps), preparation.run(second.steps)]

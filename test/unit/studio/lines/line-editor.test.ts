@@ -1,4 +1,5 @@
 import { type SkinCanvas, skinCanvas, type Uv } from 'furrow/author'
+import { StrokeLines } from 'furrow/internal'
 import { beforeEach, describe, expect, test } from 'vitest'
 import type { LayerStroke, StudioDocument } from '../../../../studio/src/document/document.ts'
 import { LineEditor } from '../../../../studio/src/lines/line-editor.ts'
@@ -11,17 +12,18 @@ import { frozen, sampleDocument } from '../sample-document.ts'
 const SIZE = 32
 
 const canvas: SkinCanvas = skinCanvas(readSkin([plainSheet()]).skin, SIZE)
+const lines = new StrokeLines(canvas)
 let session: Session
 let editor: LineEditor
 
 beforeEach(() => {
   session = new Session()
   session.open(frozen(documentOn(SIZE)))
-  editor = new LineEditor(session, () => ({ canvas, middle: undefined }))
+  editor = new LineEditor(session, () => ({ canvas, lines, middle: undefined }))
   editor.mode.value = 'edit'
 })
 
-/** Returns the sample with areas of another size: the first covers the upper half, the others nothing. */
+/** Returns the sample with areas of another size. The first covers the upper half, and the others nothing. */
 function documentOn(size: number): StudioDocument {
   const sample = sampleDocument()
   const areas = sample.areas.map((area, n) => {
@@ -38,7 +40,7 @@ const before = () => documentOn(SIZE).strokes
 describe('a selected line', () => {
   beforeEach(() => editor.choose(strokes()[0]))
 
-  test('is bent in one step however often its point moves, stays selected, and counts as hand-edited', () => {
+  test('is bent in one step, however often its point moves, stays selected and is no longer automatic', () => {
     editor.point.value = 0
     for (const v of [0.3, 0.35, 0.4]) editor.movePoint([0.1, v])
     editor.settle()
@@ -56,7 +58,7 @@ describe('a selected line', () => {
     expect(editor.chosen.value).toBe(strokes()[0])
   })
 
-  test('extends its area if a point is moved off it, in the same step; otherwise the area stays', () => {
+  test('extends its area in the same step if a point is moved off the area', () => {
     const area = () => session.document.value!.areas[0]
     const at = ([u, v]: Uv) => area().weights.data[Math.floor(v * SIZE) * SIZE + Math.floor(u * SIZE)]
     editor.choose(strokes().find(({ group }) => group === area().name)!)
@@ -69,7 +71,7 @@ describe('a selected line', () => {
     for (const v of [0.6, 0.7, 0.8]) editor.movePoint([0.2, v])
     editor.settle()
     expect(at([0.2, 0.8])).toBeGreaterThan(200)
-    // Not along the pointer's path.
+    // The area does not grow along the path of the pointer.
     expect(at([0.05, 0.6])).toBe(0)
     session.undo()
     expect(area().weights).toBe(weights)
@@ -79,13 +81,13 @@ describe('a selected line', () => {
   test('is removed completely, whichever point is selected', () => {
     editor.point.value = 0
     const count = strokes().length
-    expect(editor.pointCount).toBe(2)
+    expect(editor.handles.value.length).toBe(2)
     editor.removeLine()
     expect(strokes()).toHaveLength(count - 1)
-    expect([editor.chosen.value, editor.point.value, editor.pointCount]).toEqual([null, -1, 0])
+    expect([editor.chosen.value, editor.point.value, editor.handles.value.length]).toEqual([null, -1, 0])
   })
 
-  test('has one step per gesture', () => {
+  test('has one step for each gesture', () => {
     editor.point.value = 0
     editor.movePoint([0.1, 0.3])
     editor.settle()
@@ -95,7 +97,7 @@ describe('a selected line', () => {
     expect(strokes()[0].points[0]).toEqual([0.1, 0.3])
   })
 
-  test('gets a new point on click, and loses it again', () => {
+  test('gets a point where it is clicked, and loses it again', () => {
     editor.insertPoint(0.5)
     expect(strokes()[0].points.length).toBe(3)
     expect(editor.point.value).toBe(1)
@@ -118,7 +120,7 @@ describe('a selected line', () => {
     expect(strokes()[1].points[0]).toEqual(strokes()[0].points.at(-1))
   })
 
-  test('is mirrored, and its mirror image is added and selected', () => {
+  test('is mirrored: its mirror image is added and selected', () => {
     editor.point.value = 0
     editor.movePoint([0.3, 0.2])
     editor.mirror()
@@ -127,7 +129,7 @@ describe('a selected line', () => {
     expect(strokes()[3].points.map(([u]) => u)).toEqual([expect.closeTo(0.7, 3), expect.closeTo(0.1, 3)])
   })
 
-  test('changes its shape by a slider in one step', () => {
+  test('has a shape that a slider changes in one step', () => {
     editor.setShape({ width: 3 })
     editor.setShape({ width: 4 })
     editor.settle()
@@ -137,7 +139,7 @@ describe('a selected line', () => {
     expect(session.undoLabel.value).toBeUndefined()
   })
 
-  test('gets banks and a lean, in a step each', () => {
+  test('can get banks, and lean to a side, in one step each', () => {
     editor.setShape({ bank: [5, 5] })
     editor.setShape({ bank: [6, 6] })
     editor.setShape({ lean: -0.3 })
@@ -151,7 +153,7 @@ describe('a selected line', () => {
     expect(strokes()[0].bank).toEqual([6, 6])
   })
 
-  test('makes an area of a new name, which shows at rest', () => {
+  test('makes an area with a new name, whose lines are visible at rest', () => {
     editor.setGroup('scar')
     const area = session.document.value!.areas.at(-1)!
     expect(area).toMatchObject({ name: 'scar', layer: 'up', activation: 1 })
@@ -181,13 +183,13 @@ describe('a drawn line', () => {
     expect(strokes()).toEqual(before())
   })
 
-  test('gets a new area if there is none', () => {
+  test('gets a new area if none is under it', () => {
     editor.draw(across(0.8, 0.2, 0.8))
     expect(strokes()[3].group).toBe('lines')
     expect(session.document.value!.areas.at(-1)).toMatchObject({ name: 'lines', activation: 1 })
   })
 
-  test('widens the named area', () => {
+  test('extends the area that the artist named', () => {
     editor.setGroup('frown')
     editor.draw(across(0.8, 0.2, 0.8))
     const { areas } = session.document.value!
@@ -197,7 +199,7 @@ describe('a drawn line', () => {
   })
 })
 
-test('nothing stays selected when automatic wrinkles are made again', () => {
+test('a selected line is deselected when automatic wrinkles are made again', () => {
   editor.choose(strokes()[0])
   session.edit('Make automatic wrinkles', (document) => ({
     ...document,

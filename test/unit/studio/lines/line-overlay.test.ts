@@ -3,7 +3,7 @@ import { LineOverlay, visibleParts } from '../../../../studio/src/lines/line-ove
 import type { ProjectedLine } from '../../../../studio/src/lines/project-lines.ts'
 import { strokeOf } from '../sample-document.ts'
 
-/** Line with points 0.5 pixels apart. */
+/** Line with points 0.5 pixels apart, each seen or hidden. */
 const line = (isSeen: boolean[]) => ({
   x: Float32Array.from(isSeen, (_, i) => i / 2),
   y: new Float32Array(isSeen.length),
@@ -11,12 +11,12 @@ const line = (isSeen: boolean[]) => ({
 })
 
 describe('a line over the face', () => {
-  it('is drawn by points three pixels apart, from its first to its last', () => {
+  it('is drawn through points three pixels apart, including its first and last', () => {
     expect(visibleParts(line(Array(16).fill(true)))).toEqual([[0, 6, 12, 15]])
     expect(visibleParts(line([true, true]))).toEqual([[0, 1]])
   })
 
-  it('has a part for each visible stretch, up to the first hidden point', () => {
+  it('is drawn as one part for each visible stretch, up to the first hidden point', () => {
     const isSeen = [true, true, false, false, ...Array(9).fill(true), false, false]
     expect(visibleParts(line(isSeen))).toEqual([
       [0, 2],
@@ -28,8 +28,8 @@ describe('a line over the face', () => {
   describe('among others', () => {
     afterEach(() => vi.unstubAllGlobals())
 
-    it('is hovered, selected again and drawn without redrawing the others until they move', () => {
-      /** Counts curves and their shadows drawn on each canvas. */
+    it('is hovered, selected and drawn again without redrawing the others until they move', () => {
+      /** Number of curves drawn on each canvas, including their shadows. */
       const strokes: number[] = []
       const createElement = () => {
         const own = strokes.push(0) - 1
@@ -51,11 +51,10 @@ describe('a line over the face', () => {
         ...line([true, true]),
         stroke: strokeOf('up', 'forehead'),
         along: Float64Array.of(0, 1),
-        knots: [],
       })
       const lines = [projected(), projected(), projected()]
       const [first, second] = lines
-      const rest = { lines, chosen: first.stroke, point: -1, hovered: null, path: [] }
+      const rest = { lines, chosen: first.stroke, point: -1, handles: [], forks: [], hovered: null, path: [] }
       const drawnBy = (picture: Partial<typeof rest> | { hovered: ProjectedLine['stroke'] }) => {
         const before = [...strokes]
         overlay.draw({ ...rest, ...picture })

@@ -1,21 +1,11 @@
-import { skinCanvas } from 'furrow/author'
-import { Ray, Vector3 } from 'three'
+import type { Ray } from 'three'
 import { beforeEach, expect, test } from 'vitest'
-import { LineEditor } from '../../../../studio/src/lines/line-editor.ts'
-import { LineTool } from '../../../../studio/src/lines/line-tool.ts'
-import type { ProjectedLine } from '../../../../studio/src/lines/project-lines.ts'
-import type { SkinHit } from '../../../../studio/src/paint/picker.ts'
-import { readSkin } from '../../../../studio/src/paint/read-skin.ts'
+import type { LineEditor } from '../../../../studio/src/lines/line-editor.ts'
+import type { LineTool } from '../../../../studio/src/lines/line-tool.ts'
 import { Session } from '../../../../studio/src/session/session.ts'
-import type { StagePointer } from '../../../../studio/src/tools/stage-tool.ts'
-import { plainSheet } from '../paint/skins.ts'
 import { sampleDocument } from '../sample-document.ts'
+import { at, editorOn, pick, SIDE, SIZE } from './sheet.ts'
 
-const SIZE = 32
-/** CSS pixels of the sheet's side on the stage: 10 per millimetre. */
-const SIDE = 1000
-
-const canvas = skinCanvas(readSkin([plainSheet()]).skin, SIZE)
 let session: Session
 let editor: LineEditor
 let tool: LineTool
@@ -25,45 +15,15 @@ beforeEach(() => {
   const sample = sampleDocument()
   const weights = { width: SIZE, height: SIZE, data: new Uint8Array(SIZE * SIZE) }
   session.open({ ...sample, areaSize: SIZE, areas: sample.areas.map((area) => ({ ...area, weights })) })
-  editor = new LineEditor(session, () => ({ canvas, middle: undefined }))
-  editor.mode.value = 'edit'
-  tool = new LineTool(editor, {
-    picker: { pick },
-    get lines() {
-      return session.document.value!.strokes.map(seen)
-    },
-    preparation: () => null,
-    onChange() {},
-  })
+  ;({ editor, tool } = editorOn(session, { pick: pickSkin }))
 })
 
-/** The sheet's texture seen from above; the right tenth is not skin. */
-function pick({ origin: { x, y } }: Ray): SkinHit | undefined {
-  if (x > 0.9 * SIDE) return undefined
-  const position = [x / 10, y / 10, 0] as const
-  return { position, uv: [x / SIDE, y / SIDE] } as unknown as SkinHit
-}
-
-function seen(stroke: ProjectedLine['stroke']): ProjectedLine {
-  const { points } = stroke
-  return {
-    stroke,
-    x: Float32Array.from(points, ([u]) => SIDE * u),
-    y: Float32Array.from(points, ([, v]) => SIDE * v),
-    isSeen: points.map(() => true),
-    along: Float64Array.from(points, (_, i) => i / (points.length - 1)),
-    knots: [...points.keys()],
-  }
-}
-
-function at(x: number, y: number, shift = false): StagePointer {
-  const ray = new Ray(new Vector3(x, y, 1), new Vector3(0, 0, -1))
-  return { ray, x, y, shift, alt: false, pressure: 1 }
-}
+/** Picks a point of the sheet. Its right tenth is not skin. */
+const pickSkin = (ray: Ray) => (ray.origin.x > 0.9 * SIDE ? undefined : pick(ray))
 
 const strokes = () => session.document.value!.strokes
 
-test('a pointer off all lines moves the camera', () => {
+test('a pointer that is on no line moves the camera', () => {
   expect(tool.begin(at(500, 300))).toBe(false)
   expect(editor.chosen.value).toBeNull()
 })
@@ -76,7 +36,7 @@ test('a click selects the line under it and changes nothing', () => {
   expect(session.document.value).toBe(document)
 })
 
-test("a point of the selected line follows the pointer over the skin in one step, and stops at the skin's edge", () => {
+test('a point of the selected line follows the pointer in one step, and stops at the edge of the skin', () => {
   editor.choose(strokes()[0])
   expect(tool.begin(at(104, 203))).toBe(true)
   tool.move([at(120, 250), at(130, 260)])
@@ -89,7 +49,7 @@ test("a point of the selected line follows the pointer over the skin in one step
   expect(session.undoLabel.value).toBeUndefined()
 })
 
-test('Escape restores the point', () => {
+test('Escape returns the dragged point to its place', () => {
   editor.choose(strokes()[0])
   tool.begin(at(100, 200))
   tool.move([at(150, 300)])
@@ -97,7 +57,7 @@ test('Escape restores the point', () => {
   expect(strokes()[0].points[0]).toEqual([0.1, 0.2])
 })
 
-test('a click with Shift on the selected line adds a point, and the same step moves it', () => {
+test('a click with Shift on the selected line adds a point, which can be dragged in the same step', () => {
   editor.choose(strokes()[0])
   tool.begin(at(500, 202, true))
   tool.move([at(500, 260)])
@@ -108,7 +68,7 @@ test('a click with Shift on the selected line adds a point, and the same step mo
   expect(strokes()[0].points.length).toBe(2)
 })
 
-test('a stroke on free skin becomes a line of few points; off the skin it moves the camera', () => {
+test('a stroke on free skin becomes a line of few points, and one off the skin moves the camera', () => {
   editor.mode.value = 'draw'
   expect(tool.begin(at(950, 700))).toBe(false)
   expect(tool.begin(at(200, 700))).toBe(true)
@@ -126,7 +86,7 @@ test('a stroke on free skin becomes a line of few points; off the skin it moves 
   expect(strokes().length).toBe(3)
 })
 
-test('Escape or a plain click draws nothing', () => {
+test('a stroke ended by Escape, or a click without a stroke, draws nothing', () => {
   editor.mode.value = 'draw'
   tool.begin(at(200, 700))
   tool.end()

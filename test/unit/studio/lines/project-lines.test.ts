@@ -14,7 +14,6 @@ const skin = {
     triangles: [0, 0],
     weights: Float64Array.of(1, 0, 0, 0, 1, 0),
     along: Float64Array.of(0, 1),
-    knots: [0, 1],
   })),
   picker: {
     poses: 0,

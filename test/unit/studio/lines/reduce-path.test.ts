@@ -4,13 +4,13 @@ import { type PathPoint, reducePath } from '../../../../studio/src/lines/reduce-
 
 const point = (x: number, y: number): PathPoint => ({ position: [x, y, 0], uv: [x / 100, y / 100] })
 
-/** Arc of 60 mm with a hand's tremor. */
+/** Arc of 60 mm, with noise like the tremor of a hand. */
 const arc = Array.from({ length: 200 }, (_, i) => {
   const t = (Math.PI * i) / 199
   return point(30 - 30 * Math.cos(t), 20 * Math.sin(t) + 0.1 * Math.sin(17 * i))
 })
 
-test("a pointer's path becomes a spline of few points that follows it", () => {
+test('the path of a pointer becomes a spline of few points that follows it', () => {
   const reduced = reducePath(arc)
   expect(reduced.length).toBeGreaterThan(2)
   expect(reduced.length).toBeLessThan(12)

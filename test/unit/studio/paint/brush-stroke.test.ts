@@ -23,7 +23,7 @@ const brush = (settings: Partial<Brush> = {}): Brush => ({
   ...settings,
 })
 
-/** Paints through points of the skin. */
+/** Paints a stroke through points of the skin. */
 const paintOn = (
   skin: PaintSkin,
   points: readonly (SkinPoint | undefined)[],
@@ -34,7 +34,7 @@ const paintOn = (
 const largestDifference = (a: GrayImage, b: GrayImage) =>
   a.data.reduce((worst, value, i) => Math.max(worst, Math.abs(value - b.data[i])), 0)
 
-/** Returns points at even fractions along a polyline. */
+/** Returns points of the skin at equal distances along a polyline. */
 const along = (skin: PaintSkin, corners: readonly [number, number][], samples: number): SkinPoint[] => {
   const lengths = corners.slice(1).map(([x, y], i) => Math.hypot(x - corners[i][0], y - corners[i][1]))
   const total = lengths.reduce((sum, length) => sum + length, 0)
@@ -49,7 +49,7 @@ const along = (skin: PaintSkin, corners: readonly [number, number][], samples: n
 }
 
 describe('the falloff of a brush', () => {
-  it('is full inside the softness, half in its middle and zero from the radius on', () => {
+  it('is 1 in the hard centre, 0.5 in the middle of the soft border and 0 at the radius and beyond', () => {
     expect(falloff(0, 10, 1)).toBe(1)
     expect(falloff(5.9, 10, 0.4)).toBe(1)
     expect(falloff(8, 10, 0.4)).toBeCloseTo(0.5, 12)
@@ -57,7 +57,7 @@ describe('the falloff of a brush', () => {
     expect(falloff(10, 10, 0.4)).toBe(0)
   })
 
-  it('is an edge for a hard brush', () => {
+  it('changes from 1 to 0 at the radius for a hard brush', () => {
     expect(falloff(9.999, 10, 0)).toBe(1)
     expect(falloff(10, 10, 0)).toBe(0)
   })
@@ -68,7 +68,7 @@ describe('a dab', () => {
   const map = skin.mapOf(SIZE)
 
   it.each([0, 0.3, 1])(
-    'of softness %d has its falloff on both sides of a seam, and beyond the seam',
+    'of softness %d has its falloff on both sides of a seam, and where islands continue for filtering',
     (softness) => {
       const image = paintOn(skin, [pointNear(skin, 5, 8)], { softness })
       let [below, above, beyond, worst] = [0, 0, 0, 0]
@@ -98,14 +98,14 @@ describe('a dab', () => {
     }
   })
 
-  it('covers a texel however small the brush is', () => {
+  it('covers at least one texel, however small the brush is', () => {
     for (let x = -20; x < 20; x += 1.7) {
       const image = paintOn(skin, [pointNear(skin, x, x / 3)], { radius: 0.1 }, empty(32))
       expect(Math.max(...image.data)).toBeGreaterThan(100)
     }
   })
 
-  it('does not reach a nearby lip that is not connected within its radius', () => {
+  it('does not reach the other lip if the skin does not connect them within its radius', () => {
     const mouth = paintSkin(lips())
     const image = paintOn(mouth, [pointNear(mouth, -10, 2)])
     const weights = onIslands(mouth, image)
@@ -133,14 +133,14 @@ describe('a stroke', () => {
     [30, -30],
   ]
 
-  it.each([1, 0.2])('of flow %d is the same in 5 and in 500 points', (flow) => {
+  it.each([1, 0.2])('of flow %d is the same whether the pointer reports 5 points or 500', (flow) => {
     const few = paintOn(
       skin,
       along(skin, corners, 5).map((_, i) => pointNear(skin, ...corners[i])),
       { flow, radius: 6 },
     )
     const lengths = corners.slice(1).map(([x, y], i) => Math.hypot(x - corners[i][0], y - corners[i][1]))
-    // Includes all corners.
+    // The points include all corners of the path.
     const points = corners.slice(1).flatMap((corner, i) => {
       const count = Math.round(lengths[i] / 0.34)
       return along(skin, [corners[i], corner], count).slice(i === 0 ? 0 : 1)
@@ -149,7 +149,7 @@ describe('a stroke', () => {
     expect(largestDifference(few, paintOn(skin, points, { flow, radius: 6 }))).toBeLessThanOrEqual(1)
   })
 
-  it('depends only on the distance from its line, across seams', () => {
+  it('has weights that depend only on the distance from its line, also across seams', () => {
     const image = paintOn(skin, [pointNear(skin, -20, -20), pointNear(skin, 20, 30)], { softness: 1 })
     const length = Math.hypot(40, 50)
     let worst = 0
@@ -159,11 +159,11 @@ describe('a stroke', () => {
       const distance = Math.abs((x + 20) * 50 - (y + 20) * 40) / length
       worst = Math.max(worst, Math.abs(weight - 255 * falloff(distance, 15, 1)))
     }
-    // The distance is slightly larger between two dabs.
+    // Between two dabs, the distance to the nearest dab is slightly larger than to the line.
     expect(worst).toBeLessThanOrEqual(2)
   })
 
-  it('approaches its opacity by its flow where it rests or passes again, and never exceeds it', () => {
+  it('gets closer to its opacity with each pass, by its flow, and never exceeds it', () => {
     const point = pointNear(skin, 0, -10)
     const [, beside] = [point, pointNear(skin, 0, -10.001)]
     const peak = (points: SkinPoint[], settings: Partial<Brush>) =>
@@ -171,11 +171,11 @@ describe('a stroke', () => {
     expect(peak([point], { flow: 0.25 })).toBe(Math.round(0.25 * 255))
     const again = [point, pointNear(skin, 20, -10), pointNear(skin, -20, -10), pointNear(skin, 20, -10)]
     expect(peak(again, { flow: 0.25, opacity: 0.6 })).toBe(Math.round(0.6 * 255))
-    // A still pointer adds nothing.
+    // A pointer that hardly moves adds nothing.
     expect(peak([point, point, beside, point], { flow: 0.25 })).toBe(Math.round(0.25 * 255))
   })
 
-  it('is equally soft at full flow where it passes twice', () => {
+  it('keeps its soft border at full flow where it passes twice', () => {
     const line = [pointNear(skin, -20, -20), pointNear(skin, 20, -20)]
     const [once, thrice] = [paintOn(skin, line), paintOn(skin, [...line, line[0], line[1]])]
     let worst = 0
@@ -185,7 +185,7 @@ describe('a stroke', () => {
     expect(worst).toBeLessThanOrEqual(2)
   })
 
-  it('adds to existing weights, and removes them', () => {
+  it('can add to existing weights, or reduce them', () => {
     const point = pointNear(skin, 0, -10)
     const half = empty(SIZE, 128)
     const centre = (image: GrayImage) => {
@@ -201,20 +201,20 @@ describe('a stroke', () => {
     expect(half.data.every((weight) => weight === 128)).toBe(true)
   })
 
-  it('is fainter with less pen pressure, evenly from point to point', () => {
+  it('is fainter with less pen pressure, which changes evenly between two points', () => {
     const stroke = new BrushStroke(empty(SIZE), brush({ radius: 5, softness: 0 }), skin)
     stroke.moveTo(pointNear(skin, -40, -20), 0)
     stroke.moveTo(pointNear(skin, 40, -20), 1)
     let worst = 0
     for (const { x, y, weight } of placesOf(skin.mapOf(SIZE), stroke.end().image)) {
       if (Math.abs(y + 20) > 2 || Math.abs(x) > 30) continue
-      // The strongest dab that covers a texel is about a radius further along.
+      // Pressure grows along the stroke. A texel gets the weight of the last dab that covers it. This dab's centre is a radius ahead.
       worst = Math.max(worst, Math.abs(weight / 255 - (x + 40 + 5) / 80))
     }
     expect(worst).toBeLessThan(0.02)
   })
 
-  it('restarts after leaving the face', () => {
+  it('starts again after the pointer has left the face', () => {
     const ends = [pointNear(skin, -30, -30), pointNear(skin, 30, -30)]
     const apart = paintOn(skin, [ends[0], undefined, ends[1]], { radius: 5 })
     const places = [...placesOf(skin.mapOf(SIZE), apart)]
@@ -222,7 +222,7 @@ describe('a stroke', () => {
     expect(paintOn(skin, [undefined]).data.every((weight) => weight === 0)).toBe(true)
   })
 
-  it('restarts where the skin does not connect two points', () => {
+  it('starts again if the skin does not connect two points', () => {
     const mouth = paintSkin(lips())
     const image = paintOn(mouth, [pointNear(mouth, -20, 20), pointNear(mouth, -20, -20)], { radius: 5 })
     const weights = onIslands(mouth, image)
@@ -233,7 +233,7 @@ describe('a stroke', () => {
     ).toBe(true)
   })
 
-  it('reports its changes after each move, and all of them at the end', () => {
+  it('reports the changed bounds after each move, and all of them at the end', () => {
     const image = empty(SIZE)
     const stroke = new BrushStroke(image, brush({ radius: 4 }), skin)
     let before = image.data.slice()
@@ -248,7 +248,7 @@ describe('a stroke', () => {
     expect(image.data.every((weight) => weight === 0)).toBe(true)
   })
 
-  it('changes nothing off the face, and says so', () => {
+  it('changes nothing off the face, and reports no change', () => {
     const stroke = new BrushStroke(empty(SIZE), brush(), skin)
     expect(stroke.moveTo(undefined)).toBeUndefined()
     expect(stroke.end().dirty).toBeUndefined()
@@ -258,15 +258,15 @@ describe('a stroke', () => {
 describe('a stroke in the texture', () => {
   const skin = paintSkin(cutSheet())
 
-  it('also paints the skin on the other side of a seam', () => {
+  it('also paints the skin across a seam', () => {
     const stroke = new BrushStroke(empty(SIZE), brush({ radius: 8 }), skin)
-    // Just below the seam at y = 10, on the left of the texture.
+    // The point is just below the seam at y = 10, on the left of the texture.
     stroke.moveInTexture(0.2, 0.69)
     const places = [...placesOf(skin.mapOf(SIZE), stroke.end().image)]
     expect(places.some(({ y, isBeyondIsland, weight }) => y > 12 && !isBeyondIsland && weight > 0)).toBe(true)
   })
 
-  it('is straight in the texture and does not cross the skin between two islands', () => {
+  it('is straight in the texture, and does not paint along the skin between two islands', () => {
     const stroke = new BrushStroke(empty(SIZE), brush({ radius: 2 }), skin)
     stroke.moveInTexture(0.1, 0.8)
     stroke.moveInTexture(0.9, 0.7)
@@ -305,7 +305,7 @@ describe('invalid input for painting', () => {
     expect(() => new BrushStroke(image, brush(), skin)).toThrow(FurrowError)
   })
 
-  it('is replaced by no or full pressure', () => {
+  it('is replaced by no or full pressure if it is the pressure of a pen', () => {
     for (const [pressure, peak] of [
       [-1, 0],
       [Number.NaN, 0],
@@ -318,7 +318,7 @@ describe('invalid input for painting', () => {
   })
 })
 
-/** Returns the bounds in which an image differs from weights. */
+/** Returns the bounds of the texels whose weights differ. */
 function boundsOf(before: Uint8Array, { width, data }: GrayImage) {
   const changed = [...data.keys()].filter((i) => data[i] !== before[i])
   if (changed.length === 0) return undefined

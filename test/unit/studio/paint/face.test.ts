@@ -25,15 +25,15 @@ describe.each(FACES)('painting on %s', async (_, path, name) => {
   const map = skin.mapOf(SIZE)
   const near = (x: number, y: number, z: number): SkinPoint => skin.mirrored([-x, y, z])
 
-  it("is in millimetres in the face's frame", () => {
-    // The face is about twice as wide at the eyes, whose middles are 63 mm apart.
+  it('measures in millimetres, in the coordinates of the face', () => {
+    // The eyes are 63 mm apart, and the face is about twice as wide.
     const [left, right] = [near(200, 0, 0), near(-200, 0, 0)]
     expect(left.position[0] - right.position[0]).toBeGreaterThan(110)
     expect(left.position[0] - right.position[0]).toBeLessThan(200)
     expect(Math.abs(left.position[0] + right.position[0])).toBeLessThan(10)
   })
 
-  it('leaves no trace at any seam of the texture', () => {
+  it('has the same weights on both sides of each seam', () => {
     const seams = seamPoints(skin)
     const chosen = seams.filter((_, i) => i % Math.ceil(seams.length / 12) === 0)
     let beyond = 0
@@ -43,7 +43,7 @@ describe.each(FACES)('painting on %s', async (_, path, name) => {
         ...place,
         distance: Math.hypot(place.x - position[0], place.y - position[1], place.z - position[2]),
       }))
-      // On the two triangles of the edge, and where they continue beyond their islands for filtering.
+      // Compares the two triangles of the edge, also where they continue beyond their islands for filtering.
       const beside = places.filter(({ triangle, distance }) => triangles.includes(triangle) && distance < 9)
       const wrong = beside.filter(
         ({ weight, distance }) => Math.abs(weight - 255 * falloff(distance, 9, 1)) > 1,
@@ -55,7 +55,7 @@ describe.each(FACES)('painting on %s', async (_, path, name) => {
     expect(beyond > 20 || seams.length === 0).toBe(true)
   })
 
-  it('is the same in 5 points of a stroke and in 500', () => {
+  it('is the same whether a stroke has 5 points or 500', () => {
     const corners = [
       near(-35, 40, 20),
       near(-10, 50, 30),
@@ -74,7 +74,7 @@ describe.each(FACES)('painting on %s', async (_, path, name) => {
 
   it('does not reach the lower lip from the upper one', () => {
     const picker = new SkinPicker(skin.meshes, skin, skin.made)
-    // Moves up the middle of the face. The lips part where the path over the skin goes into the mouth.
+    // Searches up the middle of the face. Between the lips, the path over the skin goes into the mouth.
     const centre = new Vector3()
     mesh.geometry.computeBoundingBox()
     mesh.geometry.boundingBox!.getCenter(centre).applyMatrix4(mesh.matrixWorld)
@@ -95,7 +95,7 @@ describe.each(FACES)('painting on %s', async (_, path, name) => {
   })
 })
 
-/** Returns the middles of edges where the texture is cut, and the two triangles of each. */
+/** Returns the middle of each edge where the texture is cut, and the two triangles of the edge. */
 function seamPoints({ skin: { uvs, indices }, surface }: ReturnType<typeof paintSkin>) {
   const { adjacent, corners, skinTriangles, pointOf, points } = surface
   const found: { position: SkinPoint['position']; triangles: [number, number] }[] = []
@@ -115,7 +115,7 @@ function seamPoints({ skin: { uvs, indices }, surface }: ReturnType<typeof paint
   return found
 }
 
-/** Returns points at even fractions along a path, including its end. */
+/** Returns points at equal distances along a path, including its end. */
 function divided(path: readonly SkinPoint[], count: number): SkinPoint[] {
   const lengths = path.slice(1).map(({ position: [x, y, z] }, i) => {
     const [fromX, fromY, fromZ] = path[i].position

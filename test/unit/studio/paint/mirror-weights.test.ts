@@ -4,14 +4,14 @@ import { cutSheet, empty, onIslands, paint, paintSkin, pointNear } from './skins
 
 const SIZE = 128
 
-it('each place has the weight of its mirror image, across islands', () => {
+it('each point of the skin gets the weight of its mirror image, also across islands', () => {
   const skin = paintSkin(cutSheet())
-  // Across the seam, on the right.
+  // The dab crosses the seam, on the right.
   const image = paint(empty(SIZE), { radius: 12, softness: 1 }, skin, pointNear(skin, 25, 8, 0))
   const [own, other] = [image, mirrorWeights(image, skin)].map((weights) => onIslands(skin, weights))
   expect(other.some(({ weight, x }) => weight > 200 && x < -20)).toBe(true)
   expect(other.every(({ weight, x }) => weight === 0 || x < -10)).toBe(true)
-  // At each place of the image, its mirror image is a texel or two away.
+  // Near the mirror image of each painted point is a point of almost the same weight.
   for (const { x, y, weight } of own.filter(({ weight }) => weight > 0).slice(0, 200)) {
     const near = other.filter((place) => Math.hypot(place.x + x, place.y - y) < 1.5)
     expect(Math.min(...near.map((place) => Math.abs(place.weight - weight)))).toBeLessThan(24)

@@ -10,7 +10,7 @@ import { empty, pickerOf, plainSheet, pointerAt } from './skins.ts'
 const SIZE = 64
 const area: StudioArea = { name: 'cheek', layer: 'up', combine: 'sum', activation: 0, weights: empty(SIZE) }
 
-/** Creates a tool on a sheet that records what the tool shows, stores and requests. */
+/** Creates a tool on a sheet, and records the weights that it shows and stores, and its requests. */
 function toolOnSheet() {
   const { skin, picker } = pickerOf(plainSheet())
   const [shown, kept]: GrayImage[][] = [[], []]
@@ -28,7 +28,7 @@ function toolOnSheet() {
 
 const total = ({ data }: GrayImage) => data.reduce((sum, weight) => sum + weight, 0)
 
-it('shows a growing stroke once per frame, and stores it once at its end', () => {
+it('shows the stroke once per frame while it grows, and stores it once at its end', () => {
   const { tool, shown, kept, calls } = toolOnSheet()
   expect(tool.begin(pointerAt(0, 0))).toBe(true)
   tool.move([pointerAt(0.01, 0), pointerAt(0.02, 0)])
@@ -55,13 +55,13 @@ it('restores the old weights after a stroke is cancelled, and stores nothing', (
   expect(kept).toEqual([])
 })
 
-it('leaves the pointer to the camera off the face and with Alt', () => {
+it('leaves the pointer to the camera if it is off the face, or with Alt', () => {
   const { tool } = toolOnSheet()
   expect(tool.begin(pointerAt(0.2, 0))).toBe(false)
   expect(tool.begin(pointerAt(0, 0, { alt: true }))).toBe(false)
 })
 
-it('stores no stroke that changes no weight', () => {
+it('does not store a stroke that changes no weight', () => {
   const { tool, kept } = toolOnSheet()
   tool.begin(pointerAt(0, 0, { pressure: 0 }))
   tool.end()

@@ -32,11 +32,11 @@ import {
 } from './skins.ts'
 
 describe('picking', () => {
-  it('finds the triangle, its position at rest and in the texture', () => {
+  it('finds the triangle, and the position at rest and in the texture', () => {
     const { picker, skin } = pickerOf(cutSheet())
     const hit = picker.pick(rayAt(0.012, 0.031))!
     for (const [k, value] of [12, 31, 0].entries()) expect(hit.position[k]).toBeCloseTo(value, 4)
-    // In the upper island, which is rotated.
+    // The point is in the upper island, which is rotated.
     expect(hit.uv[0]).toBeCloseTo(0.98 - 0.4 * (21 / 40), 5)
     expect(hit.uv[1]).toBeCloseTo(0.02 + 0.9 * 0.62, 5)
     expect(hit.point.distanceTo(new Vector3(0.012, 0.031, 0))).toBeLessThan(1e-6)
@@ -57,7 +57,7 @@ describe('picking', () => {
     )
   })
 
-  it('follows blendshapes and the node after a refit, and returns the position at rest', () => {
+  it('follows blendshapes and the node after `refit`, and still returns the position at rest', () => {
     const mesh = plainSheet()
     const { position } = mesh.geometry.attributes
     const offsets = Array.from({ length: position.count }, () => [0.3, 0, 0.05]).flat()
@@ -75,7 +75,7 @@ describe('picking', () => {
     expect(picker.pick(rayAt(0.01, 0.02))).toBeUndefined()
   })
 
-  it('follows joints', () => {
+  it('follows joints after `refit`', () => {
     const { geometry, material } = plainSheet()
     const { count } = geometry.attributes.position
     geometry.setAttribute('skinIndex', new Uint16BufferAttribute(new Uint16Array(4 * count), 4))
@@ -109,7 +109,7 @@ describe('picking', () => {
     expect(painted.some(({ y }) => y > 2) && painted.some(({ y }) => y < -2)).toBe(true)
   })
 
-  it('survives invalid triangles and vertices', () => {
+  it('ignores invalid triangles and vertices', () => {
     const mesh = plainSheet()
     const { position } = mesh.geometry.attributes
     position.setX(0, Number.NaN)
@@ -140,7 +140,7 @@ describe('visible skin', () => {
     const stroke = new BrushStroke(empty(128), { ...BRUSH_DEFAULTS, radius: 45, flow: 1 }, skin, sight)
     stroke.moveTo(pointNear(skin, 45, 0, 22))
     const places = onIslands(skin, stroke.end().image)
-    // A camera 1 m away sees z > 2.5 of a ball of 50 mm.
+    // A camera 1 m away sees the part of a ball of 50 mm radius with z > 2.5 mm.
     const painted = places.filter(({ weight }) => weight > 0)
     expect(painted.filter(({ z }) => z > 5).length).toBeGreaterThan(50)
     expect(painted.filter(({ z }) => z < -1)).toEqual([])
@@ -149,7 +149,7 @@ describe('visible skin', () => {
     expect(behind.length).toBeGreaterThan(50)
   })
 
-  it('includes the other side if its counterpart is visible', () => {
+  it('is also the mirror image of visible points with mirror', () => {
     const fromLeft = picker.sightFrom(new Vector3(1, 0, 0.2))
     const settings = { ...BRUSH_DEFAULTS, radius: 12, flow: 1, mirror: true }
     const stroke = new BrushStroke(empty(128), settings, skin, fromLeft)
@@ -160,7 +160,7 @@ describe('visible skin', () => {
     expect(Math.abs(left.length - right.length)).toBeLessThanOrEqual(2)
   })
 
-  it('excludes skin hidden by other skin in the current pose', () => {
+  it('does not include skin that other skin hides in the current pose', () => {
     const at = (z: number, v: number) => ({
       n: 10,
       m: 10,
@@ -168,7 +168,7 @@ describe('visible skin', () => {
     })
     const mesh = meshOf(at(0, 0.95), at(20, 0.45))
     const { count } = mesh.geometry.attributes.position
-    // Opens like a door.
+    // The blendshape moves the front sheet aside.
     const offsets = Array.from({ length: count }, (_, i) => [i < count / 2 ? 0 : 0.2, 0, 0]).flat()
     mesh.geometry.morphAttributes.position = [new Float32BufferAttribute(offsets, 3)]
     mesh.geometry.morphTargetsRelative = true
@@ -197,7 +197,7 @@ describe('a polygon on the skin', () => {
   ].map(([x, y]) => pointNear(skin, x, y))
   const settings = { mode: 'add', feather: 8, opacity: 1, mirror: false } as const
 
-  it('fades across its outline by its feather, on both sides of a seam', () => {
+  it('fades across its outline, as wide as its feather, on both sides of a seam', () => {
     const { image, dirty } = paintPolygon(empty(256), square, settings, skin)
     let worst = 0
     for (const { x, y, weight, isBeyondIsland } of placesOf(skin.mapOf(256), image)) {
@@ -212,14 +212,14 @@ describe('a polygon on the skin', () => {
     expect(dirty).toBeDefined()
   })
 
-  it('is the same in the other direction, and hard without a feather', () => {
+  it('is the same with its points in reverse order, and has a hard edge without a feather', () => {
     const one = paintPolygon(empty(128), square, settings, skin).image
     expect(paintPolygon(empty(128), square.toReversed(), settings, skin).image.data).toEqual(one.data)
     const hard = paintPolygon(empty(128), square, { ...settings, feather: 0 }, skin).image
     expect(new Set(hard.data)).toEqual(new Set([0, 255]))
   })
 
-  it('removes weight, and covers up to its opacity', () => {
+  it('can reduce weights, and covers up to its opacity', () => {
     const removed = paintPolygon(empty(128, 200), square, { ...settings, mode: 'remove', opacity: 0.5 }, skin)
     expect(Math.min(...removed.image.data)).toBe(100)
   })
@@ -237,7 +237,7 @@ describe('a polygon on the skin', () => {
     expect(Math.abs(places.length - 2 * right)).toBeLessThan(0.1 * right)
   })
 
-  it('leaves out the far side of a closed surface, and with sight everything hidden', () => {
+  it('does not cover the far side of a closed surface, or any hidden skin if only visible skin is wanted', () => {
     const { picker, skin } = pickerOf(ball())
     const front = [
       [-25, -25],

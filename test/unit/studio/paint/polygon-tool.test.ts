@@ -33,7 +33,7 @@ beforeEach(() => {
   })
 })
 
-/** One pixel per millimetre. */
+/** Pointer at a position in millimetres, with one pixel per millimetre. */
 const at = (x: number, y: number, others = {}) => pointerAt(x / 1000, y / 1000, { x, y, ...others })
 
 function click(x: number, y: number): boolean {
@@ -45,7 +45,7 @@ function click(x: number, y: number): boolean {
 const places = (points: readonly SkinHit[]) =>
   points.map(({ position }) => position.slice(0, 2).map((value) => Math.round(value)))
 
-it('clicks add points, and a click near the first point closes the polygon', () => {
+it('a click adds a point, and a click near the first point closes the polygon', () => {
   click(0, 0)
   click(30, 0)
   click(3, 3)
@@ -63,7 +63,7 @@ it('clicks add points, and a click near the first point closes the polygon', () 
   expect(polygon.points).toEqual([])
 })
 
-it('a point follows the pointer until release, and Escape removes it', () => {
+it('a new point follows the pointer until it is released, and Escape removes it', () => {
   click(0, 0)
   tool.begin(at(10, 0))
   tool.move([at(20, 0), at(25, 5)])
@@ -75,7 +75,7 @@ it('a point follows the pointer until release, and Escape removes it', () => {
   expect(places(polygon.points)).toEqual([[0, 0]])
 })
 
-it('two points enclose nothing; the last point can be removed, and then all', () => {
+it('two points enclose nothing, and points can be removed one at a time or all at once', () => {
   click(0, 0)
   click(30, 0)
   expect(polygon.take()).toBeNull()
@@ -85,12 +85,12 @@ it('two points enclose nothing; the last point can be removed, and then all', ()
   expect(polygon.points).toEqual([])
 })
 
-it('leaves the pointer to the camera off the face and with Alt', () => {
+it('the pointer is left to the camera if it is off the face, or with Alt', () => {
   expect(click(200, 0)).toBe(false)
   expect(tool.begin(at(0, 0, { alt: true }))).toBe(false)
 })
 
-it('is drawn on the face and on its texture in turn', () => {
+it('the points of a polygon can be placed on the face and on its texture in turn', () => {
   const inTexture = (u: number, v: number) => {
     const ray = new Ray(new Vector3(u, -v, 1), new Vector3(0, 0, -1))
     onTexture.begin({ ...at(0, 0), ray, x: 500 * u, y: 500 * v })

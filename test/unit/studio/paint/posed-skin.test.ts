@@ -16,7 +16,7 @@ function lineSkinOf(meshes: [Mesh]): LineSkin {
   return new LineSkin(posed, skinCanvas(posed.skin.skin, 64, 64, SCALE))
 }
 
-it('painting and lines read the skin of an avatar once', () => {
+it('painting and lines share one skin of an avatar', () => {
   const meshes: [Mesh] = [plainSheet()]
   const { skin, picker } = posedSkinOf(meshes, SCALE)
   expect(lineSkinOf(meshes).picker).toBe(picker)
@@ -30,7 +30,7 @@ it('a face at another scale is another skin', () => {
   expect(half).toBeCloseTo(metres / 2, 6)
 })
 
-it('a skin that was read earlier has the current pose', () => {
+it('a skin that was read earlier gets the current pose', () => {
   const mesh = plainSheet()
   const meshes: [Mesh] = [mesh]
   posedSkinOf(meshes, SCALE)
@@ -40,7 +40,7 @@ it('a skin that was read earlier has the current pose', () => {
   expect(hit?.position[1]).toBeCloseTo(20, 4)
 })
 
-it('a still face is not read again, and neither is one whose pose repeats', () => {
+it('the pose of a still face is not read again, and neither is an equal pose', () => {
   const mesh = plainSheet()
   mesh.morphTargetInfluences = [0, 0]
   const meshes: [Mesh] = [mesh]
@@ -56,7 +56,7 @@ it('a still face is not read again, and neither is one whose pose repeats', () =
   expect(refit).toHaveBeenCalledTimes(1)
 })
 
-it('joints, parents, added blendshapes and changed muscles change the pose', () => {
+it('the pose changes with joints, parent nodes, added blendshapes and changed muscles', () => {
   const plain = plainSheet()
   const mesh = new SkinnedMesh(plain.geometry, plain.material)
   const bone = new Bone()
@@ -88,10 +88,10 @@ it('joints, parents, added blendshapes and changed muscles change the pose', () 
 
 describe('a skin made in a worker', () => {
   const AREA = 64
-  /** Number of skins requested from workers. */
+  /** Number of skins that workers were asked to make. */
   let asked = 0
 
-  /** Worker in the same thread. Messages are copied or transferred. */
+  /** Fake worker in the same thread. Its messages are copied or transferred, like those of a real one. */
   function FakeWorker() {
     const { port1, port2 } = new MessageChannel()
     const service = {
@@ -120,7 +120,7 @@ describe('a skin made in a worker', () => {
     const own = posedSkinOf([mesh], SCALE)
     const prepared = posedSkinOf(meshes, SCALE)
     expect(prepared.skin.surface).toEqual(own.skin.surface)
-    // Came with the areas' map, so the page makes none.
+    // The map for the size of the areas came with the skin, so the page makes none.
     const map = prepared.skin.mapOf(AREA)
     expect(prepared.skin.mapOf(AREA)).toBe(map)
     const { locator, ...arrays } = map
@@ -133,7 +133,7 @@ describe('a skin made in a worker', () => {
     expect(asked).toBe(1)
   })
 
-  it('has the pose of the face when it is ready, and at every later time', async () => {
+  it('has the pose of the face when it is ready, and each later pose', async () => {
     const mesh = plainSheet()
     const meshes: [Mesh] = [mesh]
     const preparation = prepareSkin(meshes, SCALE, AREA)
@@ -145,7 +145,7 @@ describe('a skin made in a worker', () => {
     expect(posedSkinOf(meshes, SCALE).picker.pick(down(0.2))?.position[1]).toBeCloseTo(20, 4)
   })
 
-  it("does not replace a skin needed before it arrived, but provides the areas' map", async () => {
+  it('does not replace a skin that the page had to make before, but provides the map of the areas', async () => {
     const meshes: [Mesh] = [plainSheet()]
     const preparation = prepareSkin(meshes, SCALE, AREA)
     const needed = posedSkinOf(meshes, SCALE)
@@ -159,7 +159,7 @@ describe('a skin made in a worker', () => {
     expect(asked).toBe(1)
   })
 
-  it('is made once however often it is requested, and only then available to tools', async () => {
+  it('is made once, however often it is requested, and available to tools when it is ready', async () => {
     const meshes: [Mesh] = [plainSheet()]
     const preparations = [prepareSkin(meshes, SCALE, AREA), prepareSkin(meshes, SCALE, AREA)]
     expect(preparedSkin(meshes, SCALE, AREA)).toBeNull()
@@ -170,7 +170,7 @@ describe('a skin made in a worker', () => {
     expect(asked).toBe(1)
   })
 
-  it("has a canvas for lines that equals the page's", async () => {
+  it('gives lines the same canvas as one made on the page', async () => {
     const meshes: [Mesh] = [plainSheet()]
     const { canvas } = await readLineSkin(meshes, SCALE, AREA)
     const { skin } = posedSkinOf(meshes, SCALE).skin
@@ -182,9 +182,9 @@ describe('a skin made in a worker', () => {
     expect(weights[0]).toEqual(weights[1])
   })
 
-  it('is made on the page if the worker fails, which says why', async () => {
+  it('is made on the page if the worker fails, with a message that says why', async () => {
     const meshes: [Mesh] = [plainSheet()]
-    await expect(prepareSkin(meshes, SCALE, 1.5)).rejects.toThrow('side of an area')
+    await expect(prepareSkin(meshes, SCALE, 1.5)).rejects.toThrow('width of a painted area')
     expect(posedSkinOf(meshes, SCALE).skin.surface.corners.length).toBeGreaterThan(0)
   })
 })

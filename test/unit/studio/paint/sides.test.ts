@@ -32,7 +32,7 @@ describe('mirror', () => {
     expect(Math.max(...differences)).toBeLessThanOrEqual(1)
   })
 
-  it('covers the middle no more than the sides', () => {
+  it('gives the middle of the face no more weight than the sides', () => {
     const skin = paintSkin(plainSheet())
     const { data } = paint(empty(SIZE), { ...BRUSH, mirror: true }, skin, pointNear(skin, 1, 0))
     expect(Math.max(...data)).toBe(128)
@@ -47,7 +47,7 @@ describe('mirror', () => {
   })
 })
 
-describe('texels shared by both halves of a face', () => {
+describe('the texels that both halves of a face share', () => {
   const skin = paintSkin(foldedSheet())
 
   it.each([25, -25, 3, -3])('are painted by a dab at x = %d on either half', (x) => {
@@ -64,7 +64,7 @@ describe('texels shared by both halves of a face', () => {
 
   it('give a dab the same weights from either half', () => {
     const [left, right] = [17.3, -17.3].map((x) => paint(empty(SIZE), BRUSH, skin, pointNear(skin, x, 5)))
-    // Only the left half continues beyond the islands.
+    // Points beyond the islands are left out, because only the left half has them.
     const differences = onIslands(skin, left).map(({ texel }) =>
       Math.abs(left.data[texel] - right.data[texel]),
     )
@@ -73,9 +73,9 @@ describe('texels shared by both halves of a face', () => {
 })
 
 describe('a closed surface', () => {
-  it('is painted across all of its seams, with both sides alike', () => {
+  it('is painted across all of its seams, with equal weights on both sides', () => {
     const skin = paintSkin(ball())
-    // Across the seam at z = 0 and the pole.
+    // The stroke crosses the seam at z = 0, and the pole.
     const points = [
       pointNear(skin, 40, 0, 30),
       pointNear(skin, 40, 0, -30),
@@ -95,7 +95,7 @@ describe('a closed surface', () => {
         .filter(({ distance }) => distance > 0 && distance < 1),
     )
     expect(pairs.length).toBeGreaterThan(20)
-    // A softness of 0.7 falls by at most 1.5 / 7 per millimetre.
+    // With a softness of 0.7, the falloff is at most 1.5 / 7 per millimetre.
     expect(pairs.filter(({ distance, difference }) => difference > 2 + 55 * distance)).toEqual([])
   })
 })

@@ -9,10 +9,10 @@ import { SkinPicker } from '../../../../studio/src/paint/picker.ts'
 import { type MeshSkin, readSkin } from '../../../../studio/src/paint/read-skin.ts'
 import type { StagePointer } from '../../../../studio/src/tools/stage-tool.ts'
 
-/** Point of a grid: x, y and z in millimetres, and u and v. */
+/** Point of a grid: its position in millimetres and its texture coordinates. */
 type GridPoint = readonly [x: number, y: number, z: number, u: number, v: number]
 
-/** Makes a mesh of grids of n x m squares, each with its own vertices, in metres like glTF. */
+/** Makes a mesh of grids of n x m squares. Each grid has its own vertices. Units are metres, as in glTF. */
 export function meshOf(
   ...grids: readonly { n: number; m: number; at(i: number, j: number): GridPoint }[]
 ): Mesh<BufferGeometry, MeshStandardMaterial> {
@@ -36,7 +36,7 @@ export function meshOf(
   return new Mesh(geometry, new MeshStandardMaterial())
 }
 
-/** Sheet of 100 x 100 mm that faces +z, in two islands that meet at y = 10. The upper island is rotated and larger. */
+/** Sheet of 100 x 100 mm that faces +z. Its two islands meet at y = 10. In the texture, the upper one is rotated and larger. */
 export const cutSheet = () =>
   meshOf(
     { n: 20, m: 12, at: (i, j) => [100 * i - 50, 60 * j - 50, 0, 0.02 + 0.45 * i, 0.98 - 0.3 * j] },
@@ -47,7 +47,7 @@ export const cutSheet = () =>
 export const plainSheet = () =>
   meshOf({ n: 20, m: 20, at: (i, j) => [100 * i - 50, 100 * j - 50, 0, i, 1 - j] })
 
-/** Two sheets side by side, 1 mm apart, joined by a strip only where x > 40. */
+/** Two sheets 1 mm apart, like lips. Only a strip where x > 40 joins them. */
 export const lips = () =>
   meshOf(
     { n: 20, m: 10, at: (i, j) => [100 * i - 50, 50 * j + 0.5, 0, 0.05 + 0.9 * i, 0.45 - 0.4 * j] },
@@ -55,20 +55,20 @@ export const lips = () =>
     { n: 2, m: 1, at: (i, j) => [40 + 10 * i, j - 0.5, 0, 0.86 + 0.09 * i, 0.55 - 0.1 * j] },
   )
 
-/** Sheet whose left and right half share texels, and a patch that uses texels of both. */
+/** Sheet whose left and right halves share their texels. */
 export const foldedSheet = () =>
   meshOf(
     { n: 10, m: 20, at: (i, j) => [50 * i, 100 * j - 50, 0, 0.05 + 0.9 * i, 0.95 - 0.9 * j] },
     { n: 10, m: 20, at: (i, j) => [50 * i - 50, 100 * j - 50, 0, 0.95 - 0.9 * i, 0.95 - 0.9 * j] },
   )
 
-/** Sphere of radius 50 mm around the origin, with one island for its front and one for its back. */
+/** Sphere of radius 50 mm around the origin. Its front is one island, and its back another. */
 export const ball = () => {
   const half = (sign: number, u0: number) => ({
     n: 24,
     m: 24,
     at: (i: number, j: number): GridPoint => {
-      // From left to right as seen from outside. The poles are at the top and the bottom.
+      // Longitude increases from left to right, seen from outside. The poles are at the top and the bottom.
       const [longitude, latitude] = [Math.PI * (i - 0.5), Math.PI * (j - 0.5)]
       const [x, z] = [Math.sin(longitude), Math.cos(longitude)].map(
         (value) => sign * 50 * Math.cos(latitude) * value,
@@ -85,16 +85,16 @@ export function paintSkin(mesh: Mesh, ...parts: Mesh[]): PaintSkin & { meshes: M
   return Object.assign(new PaintSkin(meshes.skin, made.surface), { meshes, made })
 }
 
-/** Returns a skin to paint on, and a picker of its points. */
+/** Returns the skin of meshes, and a picker of its points. */
 export function pickerOf(mesh: Mesh, ...parts: Mesh[]) {
   const skin = paintSkin(mesh, ...parts)
   return { skin, picker: new SkinPicker(skin.meshes, skin, skin.made) }
 }
 
-/** Ray from metres in front of a position, along -z. */
+/** Ray along -z that starts 5 m in front of a position. */
 export const rayAt = (x: number, y: number) => new Ray(new Vector3(x, y, 5), new Vector3(0, 0, -1))
 
-/** Pointer on the stage over a position in metres. */
+/** Event of a pointer that is over a position in metres. */
 export const pointerAt = (x: number, y: number, others: Partial<StagePointer> = {}): StagePointer => ({
   ray: rayAt(x, y),
   pressure: 1,
@@ -105,7 +105,7 @@ export const pointerAt = (x: number, y: number, others: Partial<StagePointer> = 
   ...others,
 })
 
-/** Paints through points of a skin at full flow. Returns the weights. */
+/** Paints a stroke through points of a skin at full flow, and returns the weights. */
 export function paint(
   image: GrayImage,
   settings: Partial<Brush>,
@@ -121,7 +121,7 @@ export function empty(size: number, weight = 0): GrayImage {
   return { width: size, height: size, data: new Uint8Array(size * size).fill(weight) }
 }
 
-/** Yields the positions of a map's places on the skin, and the weight of each. */
+/** Yields each point of the skin that a texel covers, with the texel and its weight. */
 export function* placesOf(map: PaintMap, { data }: GrayImage) {
   for (let triangle = 0; triangle + 1 < map.starts.length; triangle++) {
     for (let place = map.starts[triangle]; place < map.starts[triangle + 1]; place++) {
@@ -132,7 +132,7 @@ export function* placesOf(map: PaintMap, { data }: GrayImage) {
   }
 }
 
-/** Places on the islands of the texture. */
+/** Returns only the points of `placesOf` that are on the islands of the texture. */
 export const onIslands = (skin: PaintSkin, image: GrayImage) =>
   [...placesOf(skin.mapOf(image.width), image)].filter(({ isBeyondIsland }) => !isBeyondIsland)
 

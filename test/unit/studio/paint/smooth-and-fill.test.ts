@@ -7,7 +7,7 @@ import { cutSheet, empty, lips, onIslands, paint, paintSkin, placesOf, pointNear
 
 const SIZE = 128
 
-/** Sets the weight of each texel by its position. */
+/** Returns weights that depend on the position on the skin. */
 function drawn(skin: PaintSkin, weightAt: (x: number, y: number) => number, size = SIZE): GrayImage {
   const image = empty(size)
   for (const { x, y, texel } of placesOf(skin.mapOf(size), image)) image.data[texel] = weightAt(x, y)
@@ -26,7 +26,7 @@ describe('a brush that smooths', () => {
     }
   })
 
-  it('lowers a step, more at higher flow, only within its radius', () => {
+  it('makes a step flatter within its radius, and more so at higher flow', () => {
     const step = drawn(skin, (x) => (x < 0 ? 40 : 200))
     const steepest = (image: GrayImage) => {
       const row = onIslands(skin, image).filter(({ x, y }) => y > -14 && y < -6 && Math.abs(x) < 3)
@@ -46,8 +46,8 @@ describe('a brush that smooths', () => {
     expect(changed.filter(({ x, y }) => Math.hypot(Math.max(Math.abs(x) - 10, 0), y + 10) > 12)).toEqual([])
   })
 
-  it('keeps both sides of a seam equal', () => {
-    // A step across the seam at y = 10, and one along it.
+  it('gives both sides of a seam the same weights', () => {
+    // One step of the weights crosses the seam at y = 10, and another one runs along it.
     const step = drawn(skin, (x, y) => (x < 0 === y < 10 ? 40 : 200), 256)
     const across = [pointNear(skin, -25, 10), pointNear(skin, 25, 10)]
     const image = paint(step, { mode: 'smooth', radius: 15 }, skin, ...across)
@@ -63,7 +63,7 @@ describe('a brush that smooths', () => {
     expect(Math.max(...differences)).toBeLessThan(12)
   })
 
-  it('does not mix unconnected skin', () => {
+  it('does not mix weights of skin that is not connected', () => {
     const mouth = paintSkin(lips())
     const image = drawn(mouth, (_, y) => (y > 0 ? 255 : 0))
     const across = [pointNear(mouth, -30, 2), pointNear(mouth, 0, 2)]
@@ -77,7 +77,7 @@ describe('a fill', () => {
   const skin = paintSkin(cutSheet())
   const ring = (x: number, y: number) => Math.abs(Math.hypot(x, y - 10) - 25)
 
-  it('covers the inside of an outline, across a seam, and nothing else', () => {
+  it('covers the inside of an outline, also across a seam, and nothing else', () => {
     const outline = drawn(skin, (x, y) => (ring(x, y) < 3 ? 255 : 0))
     const filled = paint(outline, { mode: 'fill' }, skin, pointNear(skin, 3, 2))
     const places = [...placesOf(skin.mapOf(SIZE), filled)].filter(
@@ -87,7 +87,7 @@ describe('a fill', () => {
     expect(places.filter(({ x, y, weight }) => Math.hypot(x, y - 10) > 29 && weight > 0)).toEqual([])
   })
 
-  it("leaves no gap at a soft outline, and keeps the outline's outer side", () => {
+  it('leaves no gap at a soft outline, and keeps the outer border of the outline', () => {
     const outline = drawn(skin, (x, y) => Math.max(0, 255 - 30 * ring(x, y)))
     const filled = paint(outline, { mode: 'fill' }, skin, pointNear(skin, 3, 2))
     const places = onIslands(skin, filled)
@@ -96,7 +96,7 @@ describe('a fill', () => {
     expect(outside.filter(({ texel, weight }) => weight !== outline.data[texel])).toEqual([])
   })
 
-  it('completes the spot that it starts on', () => {
+  it('raises the weights of the spot on which it starts to the full weight', () => {
     const spot = drawn(skin, (x, y) => (Math.hypot(x, y - 10) < 20 ? 180 : 60))
     const filled = paint(spot, { mode: 'fill' }, skin, pointNear(skin, 3, 2))
     const wrong = onIslands(skin, filled).filter(
@@ -105,13 +105,13 @@ describe('a fill', () => {
     expect(wrong).toEqual([])
   })
 
-  it('covers all of the skin if nothing encloses it, also beyond its islands', () => {
+  it('covers all of the skin if nothing encloses its start, also beyond the islands', () => {
     const filled = paint(empty(SIZE), { mode: 'fill', opacity: 0.5 }, skin, pointNear(skin, 3, 2))
     const weights = new Set([...placesOf(skin.mapOf(SIZE), filled)].map(({ weight }) => weight))
     expect(weights).toEqual(new Set([128]))
   })
 
-  it('passes through the corner of the mouth, and not from lip to lip', () => {
+  it('spreads to the other lip through the corner of the mouth, but not directly', () => {
     const mouth = paintSkin(lips())
     const closed = drawn(mouth, (x) => (x > 38 ? 255 : 0))
     const filled = paint(closed, { mode: 'fill' }, mouth, pointNear(mouth, -30, 2))
@@ -123,7 +123,7 @@ describe('a fill', () => {
     expect([...placesOf(mouth.mapOf(SIZE), open)].every(({ weight }) => weight === 255)).toBe(true)
   })
 
-  it('happens once, at the start of a stroke', () => {
+  it('happens only once, at the start of a stroke', () => {
     const outline = drawn(skin, (x, y) => (ring(x, y) < 3 ? 255 : 0))
     const points = [pointNear(skin, 3, 2), pointNear(skin, 45, 45)]
     expect(paint(outline, { mode: 'fill' }, skin, ...points).data).toEqual(

@@ -18,7 +18,7 @@ function cutSkin() {
   return { skin, picker, texture: new TexturePicker(skin, picker, SIZE) }
 }
 
-/** Ray of a camera above the texture. */
+/** Ray of the camera that looks down on the texture. */
 const rayAt = ([u, v]: readonly [number, number]) => new Ray(new Vector3(u, -v, 1), new Vector3(0, 0, -1))
 
 it.each([
@@ -33,7 +33,7 @@ it.each([
   expect(hit.normal.distanceTo(onFace.normal)).toBeLessThan(1e-5)
 })
 
-it('a point between islands is off the skin', () => {
+it('a point between islands is not on the skin', () => {
   expect(cutSkin().texture.pick(rayAt([0.52, 0.5]))).toBeUndefined()
 })
 
@@ -54,7 +54,7 @@ it.each([
   },
 )
 
-it('a quick stroke between two islands is straight in the texture, and does not cross the skin in between', () => {
+it('a quick stroke from one island to another is straight in the texture, and does not paint the skin between its ends', () => {
   const { skin, texture } = cutSkin()
   let painted: GrayImage | undefined
   const tool = new PaintTool({
@@ -79,13 +79,13 @@ it('a quick stroke between two islands is straight in the texture, and does not 
   const places = [...placesOf(skin.mapOf(SIZE), painted!)].filter(({ weight }) => weight > 0)
   const uv = places.map(({ texel }) => [(texel % SIZE) / SIZE, Math.floor(texel / SIZE) / SIZE])
   expect(uv.some(([u]) => u > 0.85)).toBe(true)
-  // No painted texel is farther from the stroke's line than the brush.
+  // No painted texel is farther from the line than the radius of the brush.
   expect(uv.filter(([u, v]) => Math.abs(v - (0.8 - (u - 0.1) / 8)) > 0.04)).toEqual([])
 })
 
-it('a line across a seam is drawn in two pieces, each in its island', () => {
+it('a line across a seam is shown as two pieces, each in its island', () => {
   const { skin } = cutSkin()
-  // From below the seam to above it, in the middle of the sheet.
+  // The line goes from below the seam to above it, in the middle of the sheet.
   const points = [
     [0.245, 0.8],
     [0.9, 0.47],

@@ -17,7 +17,7 @@ let joint: Object3D
 let player: ClipPlayer
 let begun: number
 
-/** Half a turn about x in two seconds, and two blendshapes, as read by GLTFLoader. */
+/** Clip as GLTFLoader reads it. It turns a joint by 180 degrees about x in two seconds, and moves two blendshapes. */
 const nod = () =>
   new AnimationClip('nod', 2, [
     new QuaternionKeyframeTrack(`${joint.uuid}.quaternion`, [0, 2], [0, 0, 0, 1, 1, 0, 0, 0]),
@@ -42,17 +42,17 @@ beforeEach(() => {
 const pose = () =>
   [...mesh.morphTargetInfluences!, joint.quaternion.x].map((value) => Number(value.toFixed(4)))
 const REST = [0, 0, 0]
-/** Pose after a quarter turn. */
+/** Pose in the middle of the clip, after a turn of 90 degrees. */
 const HALFWAY = [0.5, 0.5, Number(Math.SQRT1_2.toFixed(4))]
 
-it('nothing plays on its own', () => {
+it('a clip does not play until it is asked to', () => {
   player.advance(1)
   expect(pose()).toEqual(REST)
   expect(player.clip.value?.name).toBe('nod')
   expect({ begun, isPlaying: player.isPlaying.value }).toEqual({ begun: 0, isPlaying: false })
 })
 
-it('joints and blendshapes move together until paused', () => {
+it('joints and blendshapes move together until the clip is paused', () => {
   player.play()
   player.advance(0.5)
   player.advance(0.5)
@@ -67,7 +67,7 @@ it('joints and blendshapes move together until paused', () => {
   expect(begun).toBe(1)
 })
 
-it('scrubbing shows a time without playing, forwards and backwards', () => {
+it('dragging the time shows the pose at that time without playing, forwards and backwards', () => {
   player.scrub(2)
   expect(pose()).toEqual([1, 0, 1])
   player.scrub(1)
@@ -77,7 +77,7 @@ it('scrubbing shows a time without playing, forwards and backwards', () => {
   expect(player.isShown.value).toBe(true)
 })
 
-it('a looping clip continues from its start; another one stops at its end, and plays again from the start', () => {
+it('a looping clip starts again at its end, and another one stops there and plays again from its start', () => {
   player.play()
   player.advance(3)
   expect(pose()).toEqual(HALFWAY)
@@ -89,14 +89,14 @@ it('a looping clip continues from its start; another one stops at its end, and p
   expect(pose()).toEqual([0, 1, 0])
 })
 
-it('speed is applied', () => {
+it('the speed of a clip can be set', () => {
   player.speed.value = 0.25
   player.play()
   player.advance(4)
   expect(pose()).toEqual(HALFWAY)
 })
 
-it('stopping restores the previous pose', () => {
+it('stopping a clip restores the pose before it', () => {
   mesh.morphTargetInfluences![0] = 0.25
   player.play()
   player.advance(1)
@@ -105,7 +105,7 @@ it('stopping restores the previous pose', () => {
   expect({ time: player.time.value, isShown: player.isShown.value }).toEqual({ time: 0, isShown: false })
 })
 
-it('another clip also starts from that pose, and keeps playing', () => {
+it('another clip also starts from the pose before the first, and keeps playing', () => {
   player.play()
   player.advance(1)
   const path = `${mesh.uuid}.morphTargetInfluences[jawOpen]`
@@ -116,7 +116,7 @@ it('another clip also starts from that pose, and keeps playing', () => {
   expect(player.clips.value.map(({ name }) => name)).toEqual(['nod', 'talk'])
 })
 
-it("a blendshape added during playback, such as a muscle's, does not change", () => {
+it("a blendshape that is added while a clip plays, such as a muscle's, is not moved", () => {
   mesh.morphTargetInfluences!.push(0.3)
   player.play()
   player.advance(1)
@@ -125,7 +125,7 @@ it("a blendshape added during playback, such as a muscle's, does not change", ()
   expect(mesh.morphTargetInfluences).toEqual([0, 0, 0.3])
 })
 
-it('stepped key frames stay stepped', () => {
+it('key frames with stepped interpolation are not interpolated', () => {
   const track = new NumberKeyframeTrack(
     `${mesh.uuid}.morphTargetInfluences`,
     [0, 1],

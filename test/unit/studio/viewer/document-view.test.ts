@@ -12,7 +12,7 @@ import { sampleDocument } from '../sample-document.ts'
 
 const SIZE = 8
 
-/** Fake of the viewer's document view. */
+/** Returns a fake viewer, which counts how often wrinkles are created. */
 function stubViewer() {
   const mesh = blendMesh()
   const viewer = {

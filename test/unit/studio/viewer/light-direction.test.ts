@@ -21,7 +21,7 @@ it.each([
   expect(lightFrom(position)).toEqual({ yaw, pitch })
 })
 
-it('a ball is brightest where it is touched, and at its border if touched outside', () => {
+it('the ball of the light is brightest where it is touched, or at its border if the touch is outside', () => {
   for (const [x, y] of [
     [0, 0],
     [-0.5, 0.4],

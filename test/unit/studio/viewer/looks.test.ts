@@ -8,6 +8,7 @@ it.each<Parameters<Looks['choose']>[0]>([
   { name: 'normals' },
   { name: 'influence' },
   { name: 'strain' },
+  { name: 'onset' },
   { name: 'wireframe' },
   { name: 'marked', area: ['brow'] },
 ])('after the look $name every mesh has its own material and is visible', (look) => {
@@ -17,9 +18,12 @@ it.each<Parameters<Looks['choose']>[0]>([
   const lashes = new Mesh(new BoxGeometry(), new MeshStandardMaterial({ transparent: true }))
   const root = new Group().add(skin, eyes, lashes)
   const own = [skin, eyes, lashes].map(({ material }) => material)
-  const looks = new Looks({ root, skin, parts: [], wrinkles: null }, null, skin.material.clone(), () => {
+  const noMirror = () => {
     throw new Error('no wrinkles')
-  })
+  }
+  const onsets = new Map([['up', { width: 1, height: 1, data: Uint8Array.of(128) }]])
+  const face = { root, skin, parts: [], wrinkles: null }
+  const looks = new Looks(face, null, skin.material.clone(), noMirror, onsets)
   looks.choose(look)
   for (const side of ['without', 'with'] as const) looks.apply(side)
   if (look.name !== 'shaded') expect(skin.visible && skin.material === own[0]).toBe(false)

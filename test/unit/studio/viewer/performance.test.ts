@@ -26,20 +26,20 @@ const expressions = [
 const perform = (area: string) => performanceOf(area, drivers, expressions, TARGETS)
 const targetsOf = (area: string) => Object.fromEntries(perform(area)?.targets ?? [])
 
-it('is the expression that drives the area most, also through other areas', () => {
+it('the expression that shows an area is the one that drives it most, also through other areas', () => {
   expect(targetsOf('forehead')).toEqual({ brow_up: 0.9, jawOpen: 0.5 })
   expect(targetsOf('both')).toEqual({ brow_up: 0.9, jawOpen: 0.5 })
   expect(targetsOf('frown')).toEqual({ browDown: 0.8 })
 })
 
-it('is the expression that activates the area itself', () => {
+it('the expression that shows an area may activate the area itself', () => {
   expect(perform('chin')?.activations.get('chin')).toBe(0.7)
 })
 
-it('is the inputs of its drivers at full weight if no expression shows the area', () => {
+it('the blendshapes of its drivers show an area at full weight if no expression does', () => {
   expect(targetsOf('cheeks')).toEqual({ cheek: 1 })
 })
 
-it('is empty for an area that no blendshape shows', () => {
+it('nothing shows an area that no blendshape moves', () => {
   expect(perform('lines')).toBeNull()
 })

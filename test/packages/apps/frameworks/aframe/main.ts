@@ -7,7 +7,7 @@ const scene = document.querySelector('a-scene') as HTMLElement & {
   object3D: Scene
   camera: PerspectiveCamera
 }
-// A-Frame's own camera has a parent that its controls turn.
+// A-Frame's default camera has a parent that user controls rotate, so use another camera.
 const camera = new PerspectiveCamera(50, 1)
 await showFace(scene.object3D, () => camera)
 scene.camera = camera

@@ -1,9 +1,9 @@
 import { expect, it } from 'vitest'
-import { outwardRoom } from '../../../packages/furrow/src/relief/outward-room.ts'
+import { outwardClearance } from '../../../packages/furrow/src/relief/outward-clearance.ts'
 import { firstVertices } from '../../../packages/furrow/src/relief/welded-edges.ts'
 import { finish, sphere } from './coarse.ts'
 
-/** Makes a sheet of 20 x 20 squares of 1 mm at a height, facing up or down. */
+/** Makes a sheet of 20 x 20 squares, each 1 mm wide, at the height `y`. `up` is 1 if it faces up, -1 if it faces down. */
 function sheet(y: number, up: 1 | -1) {
   const positions: number[] = []
   const normals: number[] = []
@@ -24,7 +24,7 @@ function sheet(y: number, up: 1 | -1) {
 const CENTRE = 10 * 21 + 10
 const REACH = 0.001
 
-it('facing surfaces may fill less than half of the gap, and surfaces turned away all of it', () => {
+it('each of two facing surfaces may rise by less than half of the gap, and surfaces that face away by the full reach', () => {
   const roomBetween = (gap: number, facing: 1 | -1) => {
     const [lower, upper] = [sheet(0, facing), sheet(gap, -facing as 1 | -1)]
     const mesh = {
@@ -33,7 +33,7 @@ it('facing surfaces may fill less than half of the gap, and surfaces turned away
       triangles: [...lower.triangles, ...upper.triangles.map((i) => i + 441)],
     }
     const firstOf = firstVertices(mesh.positions)
-    return finish(outwardRoom(mesh, [...lower.normals, ...upper.normals], firstOf, REACH))
+    return finish(outwardClearance(mesh, [...lower.normals, ...upper.normals], firstOf, REACH))
   }
   const lips = roomBetween(0.001, 1)
   expect(lips[CENTRE]).toBeCloseTo(0.0004, 6)
@@ -41,23 +41,23 @@ it('facing surfaces may fill less than half of the gap, and surfaces turned away
   expect(roomBetween(0.001, -1)[CENTRE]).toBeGreaterThan(2 * REACH)
 })
 
-it("nothing bulges at a mesh's border, and room grows with distance from it", () => {
+it('the allowed height is 0 at the border of a mesh, and increases with the distance from it', () => {
   const mesh = { ...sheet(0, 1), uvs: new Float32Array(882) }
   const firstOf = firstVertices(mesh.positions)
-  const room = finish(outwardRoom(mesh, mesh.normals, firstOf, REACH))
-  expect(room[0]).toBe(0)
-  expect(room[2 * 21 + 10]).toBeCloseTo(0.0005, 6)
-  expect(room[CENTRE]).toBeGreaterThan(REACH)
+  const clearance = finish(outwardClearance(mesh, mesh.normals, firstOf, REACH))
+  expect(clearance[0]).toBe(0)
+  expect(clearance[2 * 21 + 10]).toBeCloseTo(0.0005, 6)
+  expect(clearance[CENTRE]).toBeGreaterThan(REACH)
 })
 
-it('a round surface has room everywhere', () => {
+it('a sphere may rise by the full reach everywhere', () => {
   const mesh = sphere(0.05, 32)
   const firstOf = firstVertices(mesh.positions)
-  expect(Math.min(...finish(outwardRoom(mesh, mesh.normals, firstOf, REACH)))).toBeGreaterThan(REACH)
+  expect(Math.min(...finish(outwardClearance(mesh, mesh.normals, firstOf, REACH)))).toBeGreaterThan(REACH)
 })
 
 it('the work can be spread over frames', () => {
   const mesh = sphere(0.05, 48)
-  const steps = [...outwardRoom(mesh, mesh.normals, firstVertices(mesh.positions), REACH)]
+  const steps = [...outwardClearance(mesh, mesh.normals, firstVertices(mesh.positions), REACH)]
   expect(steps.length).toBeGreaterThan(4)
 })

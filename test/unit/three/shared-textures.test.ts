@@ -1,5 +1,5 @@
 import type { Layer } from 'furrow'
-import { RGFormat } from 'three'
+import { RedFormat, RGBAFormat, RGFormat } from 'three'
 import { describe, expect, it } from 'vitest'
 import { createTextures, listTextures } from '../../../packages/furrow/src/three/material/wrinkle-textures.ts'
 
@@ -11,8 +11,33 @@ const gray = (value: number, size = 2) => ({
 const normal = { width: 2, height: 2, data: new Uint8Array(16).fill(255) }
 const layer = (name: string, maps: Partial<Layer>): Layer => ({ name, kind: 'detail', normal, ...maps })
 
+describe('onset on the GPU', () => {
+  const onset = gray(51)
+  it.each<[string, Partial<Layer>, object, number]>([
+    ['alone', {}, { channel: 0 }, RedFormat],
+    ['occlusion', { occlusion: gray(10) }, { channel: 1 }, RGFormat],
+    ['blood', { blood: gray(20), bloodAmplitude: 1 }, { channel: 1 }, RGFormat],
+    [
+      'occlusion and blood',
+      { occlusion: gray(10), blood: gray(20), bloodAmplitude: 1 },
+      { channel: 2 },
+      RGBAFormat,
+    ],
+  ])('shares one texture with: %s', (_, maps, place, format) => {
+    const layers = [layer('without', maps), layer('with', { ...maps, onset, onsetStrength: 0.5 })]
+    const textures = createTextures(layers, 1)
+    expect(listTextures(textures)).toHaveLength(2)
+    expect(textures.values.onset).toMatchObject({
+      ...place,
+      slices: [null, Object.keys(maps).length > 0 ? 1 : 0],
+    })
+    expect(textures.values.onset!.texture.format).toBe(format)
+    expect(textures.onsetStrength.value.toArray()).toEqual([1, 0.5, 1, 1])
+  })
+})
+
 describe('blood on the GPU', () => {
-  it('shares its texture with the occlusion', () => {
+  it('is stored in the same texture as the occlusion', () => {
     const layers = [
       layer('both', { occlusion: gray(10), blood: gray(200), bloodAmplitude: 0.25 }),
       layer('neither', {}),
@@ -28,7 +53,7 @@ describe('blood on the GPU', () => {
     expect(textures.bloodAmplitude.value.toArray()).toEqual([0.25, 0, 0.5, 1])
   })
 
-  it('costs nothing if missing', () => {
+  it('needs no memory if no layer has it', () => {
     const { values } = createTextures([layer('plain', { occlusion: gray(10) })], 1)
     expect(Object.keys(values)).toEqual(['occlusion'])
     expect((values.occlusion!.texture.image as { data: Uint8Array }).data).toHaveLength(4)
