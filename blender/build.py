@@ -1,7 +1,7 @@
 """
-Build the .zip that Blender installs: `npm run build:blender`, or `python3 blender/build.py -o furrow.zip`.
+Build the .zip of the extension: `npm run build:blender`, or `python3 blender/build.py -o furrow.zip`.
 
-Replaces Blender's own command, which the module bpy lacks. Deterministic: same sources, same bytes.
+Blender has a command for this, but the Python module bpy does not. The same sources give the same bytes.
 """
 
 import argparse
@@ -14,7 +14,7 @@ from pathlib import Path
 HERE = Path(__file__).parent
 SOURCE = HERE / "furrow"
 
-#: Patterns of required manifest fields (Blender manual, "Extensions", schema 1.0.0).
+#: Regular expressions for the required fields of a manifest (Blender manual, "Extensions", schema 1.0.0).
 REQUIRED = {
     "schema_version": r"1\.0\.0",
     "id": r"[a-z_]\w*",
@@ -28,7 +28,6 @@ REQUIRED = {
 
 
 def find_problems(manifest):
-    """List a manifest's problems."""
     problems = [
         f"{field} is {manifest.get(field)!r}, allowed: {rule}"
         for field, rule in REQUIRED.items()

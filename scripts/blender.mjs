@@ -1,4 +1,5 @@
-// `npm run test:blender`: tests the Blender extension in Blender. `-- --version 4.5` selects a version, `-- test_drivers.py` test files.
+// `npm run test:blender`: tests the Blender extension in Blender. `-- --version 4.5` selects a version of Blender, and
+// `-- test_drivers.py` selects test files.
 
 import { existsSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
@@ -6,7 +7,7 @@ import { parseArgs } from 'node:util'
 import { findPython } from './lib/python.mjs'
 import { Failure, main, must, ROOT, run, say } from './lib/run.mjs'
 
-/** The LTS release, and PyPI's newest release for the same Python version. */
+/** The LTS version of Blender, and the newest version on PyPI that needs the same version of Python. */
 const VERSIONS = ['4.5', '5.0']
 
 await main(async () => {
@@ -30,11 +31,11 @@ await main(async () => {
   if (failed.length > 0) throw new Failure(`failed on Blender ${failed.join(', ')}`)
 })
 
-/** Installs Blender as a Python module in blender/.venv-VERSION. Returns the path of its Python. */
+/** Installs Blender as a Python module in blender/.venv-VERSION. Returns the path of this Python. */
 async function setUp(version) {
   const folder = join(ROOT, `blender/.venv-${version}`)
   const python = join(folder, process.platform === 'win32' ? 'Scripts/python.exe' : 'bin/python')
-  // Written last, so that an interrupted installation restarts.
+  // This file is written last, so that an interrupted installation starts again.
   const installed = join(folder, 'installed')
   if (existsSync(installed)) return python
   const found = await findPython(

@@ -1,4 +1,5 @@
-// `npm run browsers`: measures the capabilities of Chromium, Firefox ESR and WebKitGTK, and writes the table of README.md.
+// `npm run browsers`: measures what Chromium, Firefox ESR and WebKitGTK support, and updates the table of browsers in
+// README.md.
 
 import { mkdtemp, readFile, rm } from 'node:fs/promises'
 import { tmpdir } from 'node:os'

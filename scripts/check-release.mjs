@@ -1,4 +1,5 @@
-// `node scripts/check-release.mjs v0.1.0` checks that versions and changelog match a release tag.
+// `node scripts/check-release.mjs v0.1.0`: checks that the versions of the packages and the changelog match a release
+// tag.
 
 import { readFileSync } from 'node:fs'
 import { join } from 'node:path'

@@ -1,5 +1,5 @@
-// `npm run commit-subjects`: lists the subjects of the last 50 commits that break the rules, as warnings.
-// The hook in `.githooks/commit-msg` checks a single message: `-- --message FILE`.
+// `npm run commit-subjects`: checks the subjects of the last 50 commits, and prints a warning for each subject that
+// breaks the rules. The hook `.githooks/commit-msg` checks one message with `-- --message FILE`.
 
 import { execFileSync } from 'node:child_process'
 import { readFileSync } from 'node:fs'
@@ -7,7 +7,6 @@ import { parseArgs } from 'node:util'
 import { subjectProblem } from './lib/commit-subject.mjs'
 import { Failure, main, ROOT } from './lib/run.mjs'
 
-/** Number of commits to check. */
 const COUNT = 50
 
 await main(() => {
@@ -21,7 +20,7 @@ await main(() => {
     cwd: ROOT,
     encoding: 'utf8',
   })
-  // GitHub shows lines with this prefix beside the commit.
+  // GitHub turns lines with this prefix into annotations.
   const prefix = process.env.GITHUB_ACTIONS ? '::warning::' : 'furrow: '
   for (const entry of log.split('\0')) {
     const [hash, ...lines] = entry.split('\n')

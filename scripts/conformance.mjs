@@ -1,5 +1,5 @@
-// `npm run conformance`: writes the conformance samples, tests all engines with them, and updates the table of docs/conformance.md.
-// `-- --files` only writes the samples.
+// `npm run conformance`: writes the conformance samples, tests all engines with them, and updates the table of
+// docs/conformance.md. `-- --files` only writes the samples.
 
 import { mkdir, mkdtemp, readFile, rm, writeFile } from 'node:fs/promises'
 import { tmpdir } from 'node:os'
@@ -27,7 +27,7 @@ await main(async () => {
 })
 
 async function makeFiles() {
-  // Imports packages that `setUp` installs.
+  // Imported late, because the module needs packages that `setUp` installs.
   const { serve } = await import('../bench/serve.mjs')
   const server = await serve()
   try {
@@ -54,7 +54,7 @@ async function runEngines() {
   return resultsOf(report)
 }
 
-/** Returns whether each sample passed. Samples that Blender skips are missing. */
+/** Tests the samples in Blender. Returns per sample whether it passed. Samples that Blender skips are missing. */
 async function runBlender() {
   const words = ['node', 'scripts/blender.mjs', '--version', '4.5', 'test_conformance.py']
   const report = await readReport((file) => {
@@ -63,7 +63,7 @@ async function runBlender() {
   return new Map(Object.entries(report))
 }
 
-/** Runs a program with the path of a report to write; returns the parsed report. */
+/** Calls `write`, which writes a JSON report to the path in its argument. Returns the parsed report. */
 async function readReport(write) {
   const folder = await mkdtemp(join(tmpdir(), 'furrow-conformance-'))
   const file = join(folder, 'report.json')

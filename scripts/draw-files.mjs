@@ -1,5 +1,5 @@
-// `npm run draw-files -- --seed 1 --to FOLDER`: copies 20 random files with comments or prose into a folder, for a review by readers.
-// `list.txt` in the folder has their names and numbers of words.
+// `npm run draw-files -- --seed 1 --to FOLDER`: copies 20 random files into a folder, so that people can review the
+// prose in them. `list.txt` in the folder lists the files and their numbers of words.
 
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { basename, join } from 'node:path'
@@ -11,7 +11,7 @@ import { wholeNumber } from './lib/whole-number.mjs'
 
 const COUNT = 20
 
-/** Minimum number of words of prose in a drawn file. */
+/** Files with fewer words of prose are not copied. */
 const FEWEST = 100
 
 await main(async () => {
@@ -32,7 +32,7 @@ await main(async () => {
   say(`${COUNT} of ${files.length} files, ${total} words of prose, in ${values.to}`)
 })
 
-/** Draws different files, each with the same probability. */
+/** Picks `COUNT` different files at random. */
 function draw(files, random) {
   const left = [...files]
   return Array.from({ length: COUNT }, () => left.splice(Math.floor(random() * left.length), 1)[0])

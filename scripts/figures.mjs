@@ -1,11 +1,13 @@
-// `npm run figures`: renders the README's and the docs' pictures into docs/figures/. `-- ktx2` selects figures. `-- examples` takes the
-// gallery's pictures, `-- examples/age` one of them.
-// FURROW_BEFORE=../checkout adds the faces and automatic wrinkles of an earlier, built version to the close-ups.
+// `npm run figures`: renders the figures of the README and the docs into docs/figures/. `-- ktx2` renders one figure.
+// `-- examples` renders the pictures of all examples, and `-- examples/age` the picture of one.
+// FURROW_BEFORE=../checkout adds the automatic wrinkles of an earlier version to the close-ups. That checkout must be
+// built.
 
 import { existsSync } from 'node:fs'
 import { mkdtemp, rm } from 'node:fs/promises'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
+import { drawPictures } from './figures/draw.mjs'
 import { isExamplePicture, writeExamplePictures } from './figures/examples.mjs'
 import { FACE, FACES, SCAN } from './figures/faces.mjs'
 import { FIGURES, FORMATS } from './figures/list.mjs'
@@ -40,7 +42,7 @@ await main(async () => {
   }
 })
 
-/** Selects figures by name, all by default. */
+/** Selects figures by name. Without names, selects all figures. */
 function selectFigures(names) {
   const unknown = names.find((name) => !(name in FIGURES) && !isExamplePicture(name))
   if (unknown === undefined)
@@ -55,30 +57,19 @@ function selectFigures(names) {
 
 async function renderFaces(shots) {
   if (shots.length === 0) return []
-  const { renderPictures } = await import('../packages/cli/dist/render/render-pictures.js')
   const folder = await mkdtemp(join(tmpdir(), 'furrow-figures-'))
   try {
     const files = await makeFaces(shots, folder)
-    // Consecutive pictures of one face share a page.
-    const order = [...shots.keys()].sort((a, b) => compareNames(shots[a].face, shots[b].face) || a - b)
-    const requests = order.map((i) => {
-      const { crop, scale, face, beginsRow, ...picture } = shots[i]
+    const requests = shots.map(({ crop, scale, face, beginsRow, ...picture }) => {
       return { input: files.get(face) ?? FACE, ...picture }
     })
-    const drawn = await withBar((progress) => renderPictures(requests, progress))
-    const pictures = []
-    for (const [k, i] of order.entries()) pictures[i] = drawn[k]
-    return pictures
+    return await drawPictures(requests)
   } finally {
     await rm(folder, { recursive: true })
   }
 }
 
-function compareNames(a = '', b = '') {
-  return a < b ? -1 : Number(a > b)
-}
-
-/** Writes the `FACES` that the pictures show. Returns their paths by name. */
+/** Writes the faces (see `FACES`) that the pictures need. Returns their paths by name. */
 async function makeFaces(shots, folder) {
   const files = new Map()
   for (const { face } of shots) {
@@ -87,23 +78,4 @@ async function makeFaces(shots, folder) {
     await FACES[face](files.get(face))
   }
   return files
-}
-
-async function withBar(work) {
-  const { SingleBar } = await import('cli-progress')
-  const bar = new SingleBar({
-    format: 'figures {bar} {value}/{total}',
-    stream: process.stderr,
-    clearOnComplete: true,
-  })
-  let started = false
-  try {
-    return await work((done, total) => {
-      if (!started) bar.start(total, 0)
-      started = true
-      bar.update(done)
-    })
-  } finally {
-    bar.stop()
-  }
 }

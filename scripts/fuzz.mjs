@@ -1,4 +1,5 @@
-// `npm run fuzz -- --count 5000 --seed 1 --command auto`: runs commands on damaged files. The same seed gives the same files.
+// `npm run fuzz -- --count 5000 --seed 1 --command auto`: runs commands on damaged files. Equal seeds produce equal
+// files.
 
 import { mkdirSync, rmdirSync } from 'node:fs'
 import { availableParallelism, tmpdir } from 'node:os'

@@ -1,4 +1,5 @@
-// `npm run interrupt -- --moments 20 --command render`: interrupts every command that writes files, at many moments.
+// `npm run interrupt -- --moments 20 --command render`: starts a command that writes files, and interrupts it at 20
+// different moments. Default: all such commands.
 
 import { parseArgs } from 'node:util'
 import { ensureBrowser } from './lib/browser.mjs'

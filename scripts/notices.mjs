@@ -1,4 +1,4 @@
-// `npm run notices`: writes the licences of all packages that furrow-cli installs to a file.
+// `npm run notices`: writes the licences of all packages that npm installs with furrow-cli to THIRD_PARTY_NOTICES.md.
 
 import { existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
@@ -7,10 +7,13 @@ import { Failure, main, ROOT } from './lib/run.mjs'
 const PACKAGE = 'packages/cli'
 const TARGET = join(ROOT, PACKAGE, 'THIRD_PARTY_NOTICES.md')
 
-/** Licences from the repositories of packages that ship none, named after the package. */
+/**
+ * Folder with licences for packages that ship none. The licences are copied from the repositories of the packages. A
+ * file has the name of its package.
+ */
 const LICENCES = join(ROOT, 'scripts/licences')
 
-/** Longer than any fence inside a licence. */
+/** Markdown fence around a licence. It is longer than all fences inside licences. */
 const FENCE = '````'
 
 const { packages } = JSON.parse(readFileSync(join(ROOT, 'package-lock.json'), 'utf8'))
@@ -20,7 +23,10 @@ await main(() => {
   writeFileSync(target, notices(listInstalled()))
 })
 
-/** Lists all direct and indirect dependencies, sorted by name and version: `path` in node_modules, and the lock file's entry. */
+/**
+ * Returns all direct and indirect dependencies, sorted by name and version. `path` is the path in node_modules. The
+ * other properties are from package-lock.json.
+ */
 function listInstalled() {
   const found = new Map()
   const visit = (from) => {
@@ -38,7 +44,10 @@ function listInstalled() {
   return [...found.values()].sort((a, b) => (key(a) < key(b) ? -1 : 1))
 }
 
-/** Resolves a dependency as Node does: in the package's own node_modules, then in those of its parent folders. */
+/**
+ * Resolves a dependency as Node does: first in node_modules of the package itself, then in node_modules of its parent
+ * folders.
+ */
 function resolvePackage(name, from) {
   for (let folder = from; ; folder = folder.replace(/\/?[^/]*$/, '')) {
     const path = join(folder, 'node_modules', name).replaceAll('\\', '/')
@@ -53,9 +62,9 @@ function notices(installed) {
   const list = (entries) => entries.map(({ name, version, license }) => `- ${name} ${version}: ${license}`)
   const lines = [
     '# Third-party notices',
-    'npm installs these packages with `furrow-cli`. The code that `dist/page` contains of them is named in `dist/page/LICENSES.md`.',
+    'npm installs these packages with `furrow-cli`. `dist/page/LICENSES.md` lists the packages whose code is in `dist/page`.',
     list(everywhere).join('\n'),
-    'And on the platforms that they are made for:',
+    'npm installs these packages only on some platforms:',
     list(somewhere).join('\n'),
     ...[...byText(everywhere)].map(
       ([text, names]) => `## ${[...names].join(', ')}\n\n${FENCE}text\n${text}\n${FENCE}`,
@@ -64,7 +73,7 @@ function notices(installed) {
   return `${lines.join('\n\n')}\n`
 }
 
-/** Groups package names by licence text. */
+/** Groups the names of packages by the text of their licences. */
 function byText(entries) {
   const texts = new Map()
   for (const entry of entries) {
@@ -74,7 +83,7 @@ function byText(entries) {
   return texts
 }
 
-/** Reads a package's licence and notices from the package, or from `scripts/licences`. */
+/** Reads the licence and notices of a package. If the package ships none, reads them from `scripts/licences`. */
 function readLicence({ name, path }) {
   const folder = join(ROOT, path)
   const files = readdirSync(folder)

@@ -1,4 +1,4 @@
-// `npm run prose`: lists sentences of over 30 words and comments without a subject. `-- PATH...` selects files.
+// `npm run prose`: lists sentences of over 30 words, and comments without a subject. `-- PATH...` selects files.
 
 import { readFileSync } from 'node:fs'
 import { join } from 'node:path'

@@ -1,12 +1,12 @@
-// `npm run ratios`: compares the frame time with wrinkles, relative to the plain face, with bench/ratios.json. `-- --write` updates the
-// file. Growth only warns, because machines are noisy.
+// `npm run ratios`: measures the ratio of frame times with and without wrinkles, and compares it with
+// bench/ratios.json. `-- --write` updates the file. Growth causes only a warning, because timings on a machine vary.
 
 import { main, say } from './lib/run.mjs'
 import { setUp } from './lib/set-up.mjs'
 
 await main(async () => {
   await setUp()
-  // Imports packages that `setUp` installs.
+  // Imported late, because the module needs packages that `setUp` installs.
   const { measureTwice, readFigures, warnings, writeFigures } = await import('../bench/ratios.mjs')
   const figures = readFigures()
   const ratios = await measureTwice(figures)

@@ -1,4 +1,5 @@
-// `npm run rig-table`: writes the table of docs/auto-formats.md, the areas that `furrow auto` makes with each rig's names.
+// `npm run rig-table`: updates the table of docs/auto-formats.md. It lists the areas that `furrow auto` generates from
+// the blendshape names of each rig.
 
 import { importSource } from './lib/import-source.mjs'
 import { writeTable } from './lib/marked-table.mjs'

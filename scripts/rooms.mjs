@@ -1,4 +1,4 @@
-// `npm run rooms`: draws the module graph of docs/architecture.md.
+// `npm run rooms`: draws the graph of modules in docs/architecture.md.
 
 import { writeFile } from 'node:fs/promises'
 import { join } from 'node:path'

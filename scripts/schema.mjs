@@ -1,4 +1,5 @@
-// `npm run schema`: copies the drivers' schemas to docs/schema, and lists them in the common schema.
+// `npm run schema`: copies the JSON schemas of all driver types to docs/schema, and lists the driver types in the
+// schema that they share.
 
 import { readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'

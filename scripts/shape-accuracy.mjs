@@ -1,4 +1,5 @@
-// `npm run shape-accuracy -- FOLDER [FIRST LAST]`: prints the table of bench/shapes.md. `faces/sample_heads.py` writes the folder's heads.
+// `npm run shape-accuracy -- FOLDER [FIRST LAST]`: prints the table of bench/shapes.md. `faces/sample_heads.py` writes
+// the heads in FOLDER.
 
 import { existsSync } from 'node:fs'
 import { importSource } from './lib/import-source.mjs'

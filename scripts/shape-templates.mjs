@@ -1,4 +1,5 @@
-// `npm run shape-templates`: derives the typical shapes for shape recognition from the shipped faces and a scan outside the repository.
+// `npm run shape-templates`: writes the templates with which Furrow recognises blendshapes by their motion. Computes
+// them from the shipped faces and from a scanned face outside the repository.
 
 import { existsSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
@@ -16,8 +17,8 @@ await main(async () => {
     entries.push(`  ${name}:\n    '${await source.templateText(faces)}',\n`)
   }
   const text = `/*!
- * Typical shapes, as \`template-code.ts\` encodes them; written by \`npm run shape-templates\`. \`builder\` is the mean of the faces that ship with
- * Furrow (CC0 1.0). \`scan\` is derived from ICT-FaceKit, under this licence:
+ * Typical motions of ARKit shapes, encoded by \`template-code.ts\`. This file is written by \`npm run shape-templates\`. \`builder\` is the mean of
+ * the faces that ship with Furrow (CC0 1.0). \`scan\` is derived from ICT-FaceKit, under this licence:
  *
  * ${source.SCAN_LICENCE.join('\n * ').replaceAll(/ +$/gm, '')}
  */

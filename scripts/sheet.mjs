@@ -1,5 +1,6 @@
-// `npm run sheet -- FACE.glb... --output sheet.jpg`: draws automatic wrinkles of faces after removing their blendshapes' names.
-// Each face fills two rows of five expressions, without and with wrinkles. ARKit's names in the files only pose the faces.
+// `npm run sheet -- FACE.glb... --output sheet.jpg`: draws faces with automatic wrinkles on one sheet. The faces have
+// ARKit blendshapes, whose names are removed before `furrow auto` runs. A face gets two rows of five expressions:
+// the first row without wrinkles, the second with wrinkles.
 
 import { mkdtemp, rm } from 'node:fs/promises'
 import { tmpdir } from 'node:os'
@@ -22,7 +23,6 @@ const POSES = {
   speech: { jawOpen: 0.35, mouthFunnel: 0.7, ...both('mouthUpperUp', 0.3) },
 }
 const PICTURE = { width: 800, height: 800 }
-/** Crop around the face. */
 const SHOWN = { crop: { left: 190, top: 40, width: 420, height: 520 }, scale: 0.55 }
 
 await main(async () => {
@@ -49,7 +49,11 @@ await main(async () => {
   }
 })
 
-/** Returns the render requests of a face. Writes its files to `stem`*.glb. */
+/**
+ * Writes a face without blendshape names, and with automatic wrinkles. Returns the requests for its pictures.
+ *
+ * @param stem beginning of the paths of the files.
+ */
 async function shots(face, stem) {
   const io = new NodeIO().registerExtensions(ALL_EXTENSIONS)
   const document = await io.read(face)

@@ -1,11 +1,12 @@
-// `npm run size`: compares the library's download size with bench/sizes.json. `-- --write` updates the file. Growth only warns.
+// `npm run size`: compares the download size of the library with bench/sizes.json. `-- --write` updates the file.
+// Growth causes only a warning.
 
 import { main, say } from './lib/run.mjs'
 import { setUp } from './lib/set-up.mjs'
 
 await main(async () => {
   await setUp()
-  // Imports packages that `setUp` installs.
+  // Imported late, because the module needs packages that `setUp` installs.
   const { compareDownload, warnings, writeFigures } = await import('./lib/download.mjs')
   const rows = await compareDownload()
   for (const { name, size, figure } of rows) {

@@ -1,4 +1,4 @@
-// `npm start`: serves the studio with the shipped faces.
+// `npm start`: serves the studio and the faces of the repository.
 
 import { join } from 'node:path'
 import { main, ROOT, say } from './lib/run.mjs'
@@ -22,7 +22,7 @@ await main(async () => {
   say('Ctrl-C stops it')
   let stopping = false
   const stop = async () => {
-    // The terminal and npm both send the signal.
+    // Ctrl-C sends the signal twice: from the terminal and from npm.
     if (stopping) return
     stopping = true
     await server.close()
@@ -32,7 +32,9 @@ await main(async () => {
   if (process.env.npm_lifecycle_event) stopWithParent(stop)
 })
 
-/** Stops with npm: a signal sent to npm alone only terminates the shell in between. */
+/**
+ * Stops this script when npm has ended. npm forwards a signal only to a shell, which ends without stopping this script.
+ */
 function stopWithParent(stop) {
   const parent = process.ppid
   setInterval(() => process.ppid !== parent && stop(), 500).unref()

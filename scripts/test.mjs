@@ -1,6 +1,6 @@
-// `npm test` checks every change. The remaining tests, `npm run test:all`, take hours on two cores. Options: `-- --shard 2/8` runs the
-// second of eight parts; `-- --minutes 10` starts with tests of recent changes and stops after 10 minutes.
-// Other arguments go to Vitest, e.g. `npm test -- --project unit test/unit/drivers`.
+// `npm test` checks every change. `npm run test:all` runs the remaining tests, which takes hours on two cores. Its
+// options: `-- --shard 2/8` runs the second of eight parts. `-- --minutes 10` starts with tests of recent changes, and
+// stops after 10 minutes. Other arguments go to Vitest, e.g. `npm test -- --project unit test/unit/drivers`.
 
 import { spawnSync } from 'node:child_process'
 import { readFileSync, rmSync } from 'node:fs'
@@ -15,19 +15,18 @@ import { Failure, main, run, say } from './lib/run.mjs'
 import { setUp } from './lib/set-up.mjs'
 import { isInAll, isQuick, listTests, VITEST } from './lib/test-files.mjs'
 
-/** Maximum number of skipped tests to list. */
 const MAX_LISTED = 20
 
-/** Number of test files started together if time is limited. */
+/** With a time limit, this number of test files is started together. */
 const BATCH_SIZE = 8
 
-/** Remaining time needed to start another batch, milliseconds. */
+/** With a time limit, tests are started only if this many milliseconds remain. */
 const BATCH_TIME = 60_000
 
-/** Remaining time needed to build the site, milliseconds. */
+/** With a time limit, the site is built only if this many milliseconds remain. */
 const SITE_TIME = 360_000
 
-/** Steps to run before some projects. */
+/** Steps that run before the tests of a project. */
 const PREPARATIONS = {
   site: async () => {
     if (Date.now() > process.env.FURROW_TEST_UNTIL - SITE_TIME) return [{ name: 'site', state: 'skipped' }]
@@ -60,7 +59,7 @@ await main(async () => {
   summarise(results)
 })
 
-/** Reads this script's options; `args` has the remaining arguments, for Vitest. */
+/** Reads the options of this script. `args` has the other arguments, which go to Vitest. */
 function readArguments(words) {
   const options = { isAll: false, shard: undefined, minutes: undefined, args: [] }
   while (words.length > 0) {
@@ -83,7 +82,7 @@ function readShard(text) {
   )
 }
 
-/** Runs `npm test`, two parts at a time: each keeps a core busy. */
+/** Runs `npm test`. Two parts run at a time, because each keeps one core busy. */
 async function testQuickly() {
   const tests = (await listTests()).filter(isQuick)
   return inParallel([
@@ -96,7 +95,7 @@ async function testQuickly() {
   ])
 }
 
-/** Runs the tests that `npm test` skips: all, one shard, or as many as fit into the time. */
+/** Runs the tests that `npm test` skips: all of them, one shard, or as many as the time limit allows. */
 async function testAll(shard, until) {
   const tests = (await listTests()).filter(isInAll)
   if (until === undefined) {
@@ -114,13 +113,12 @@ async function testAll(shard, until) {
   return results
 }
 
-/** Runs Vitest with the given arguments. */
 async function testWith(args) {
   const [, project] = /--project[= ](\S+)/.exec(args.join(' ')) ?? []
   return prepareAndTest(project, () => vitest(project ?? 'tests', args))
 }
 
-/** Groups tests by project into functions that run them. */
+/** Groups tests by project. Returns one function per project that runs its tests. */
 function partsOf(tests) {
   const projects = [...new Set(tests.map(({ project }) => project))]
   return projects.map((project) => async () => {
@@ -129,13 +127,13 @@ function partsOf(tests) {
   })
 }
 
-/** Runs a project's preparations, then its tests unless a preparation fails. */
+/** Runs the preparations of a project. Then runs its tests, unless a preparation failed. */
 async function prepareAndTest(project, test) {
   const before = (await PREPARATIONS[project]?.()) ?? []
   return before.every(({ state }) => state === 'passed') ? [...before, await test()] : before
 }
 
-/** Skips a project if packages of its browsers are missing. */
+/** Returns a skipped step if packages of the given browsers are missing. */
 async function checkBrowser(name, browsers) {
   const missing = [...new Set(browsers.flatMap(missingPackages))]
   if (missing.length === 0) return []
@@ -143,7 +141,7 @@ async function checkBrowser(name, browsers) {
   return [{ name, state: 'skipped' }]
 }
 
-/** Returns the command of an installed package's script. */
+/** Returns the command that runs the script of an installed package. */
 function node(script, ...words) {
   return [process.execPath, `node_modules/${script}`, ...words]
 }
@@ -154,7 +152,10 @@ async function checkAdapters() {
   return { name: 'adapters', state: Object.values(adapters).every(Boolean) ? 'passed' : 'FAILED' }
 }
 
-/** Checks faces/, and the parts of blender/ that run without Blender. Skipped without Python, except in CI. */
+/**
+ * Checks faces/, and the parts of blender/ that run without Blender. Without Python the check is skipped, except in CI,
+ * where it fails.
+ */
 async function checkPython() {
   const python = await setUpPython()
   if (!python) return [{ name: 'Python', state: process.env.CI ? 'FAILED' : 'skipped' }]
@@ -167,15 +168,14 @@ async function checkPython() {
   )
 }
 
-/** Warns if the download has grown. */
 async function checkDownload() {
-  // Imports packages that `setUp` installs.
+  // Imported late, because the module needs packages that `setUp` installs.
   const { compareDownload, warnings } = await import('./lib/download.mjs')
   const grown = warnings(await compareDownload())
   return { name: 'download', state: grown.length > 0 ? 'warning' : 'passed', detail: grown.join('\n') }
 }
 
-/** Runs steps on two lanes. Returns their results in order. */
+/** Runs steps, two at a time. Returns their results in order. */
 async function inParallel(steps) {
   const results = []
   const rest = [...steps.entries()]
@@ -192,7 +192,6 @@ async function inOrder(...steps) {
   return results.flat()
 }
 
-/** Runs Vitest and shows its output. */
 async function vitest(name, args) {
   const report = join(tmpdir(), `furrow-test-${process.pid}-${parts++}.json`)
   const reporters = ['--reporter=default', '--reporter=./scripts/lib/project-reporter.mjs']
@@ -202,7 +201,7 @@ async function vitest(name, args) {
   try {
     const { passed, failed, skipped, failedFiles, isCutOff } = JSON.parse(readFileSync(report, 'utf8'))
     const detail = `${passed} passed, ${failed} failed, ${skipped.length} skipped${isCutOff ? ', cut off' : ''}`
-    // Vitest reports a cancelled run as failed.
+    // Vitest reports failure if the time limit cancelled the run.
     const state = isCutOff ? 'passed' : result.state
     return { ...result, state, detail, skipped, rerun: ['npx', 'vitest', 'run', ...options, ...failedFiles] }
   } catch {
@@ -213,7 +212,7 @@ async function vitest(name, args) {
   }
 }
 
-/** Runs a step and measures its time. By default its output is shown only if it fails. */
+/** Runs a step and measures its time. By default, shows the output of the step only if it fails. */
 async function timed(name, words, options = { quiet: true }) {
   say(name)
   const start = performance.now()
@@ -238,7 +237,7 @@ function summarise(results) {
   }
   cpu.sample()
   say(`${'total'.padEnd(21)} ${timesOf(performance.now() / 1000, cpu.seconds(process.pid))}`)
-  // A filter on test names may skip hundreds.
+  // The list is limited, because a filter on test names can skip hundreds of tests.
   const skipped = results.flatMap((result) => result.skipped ?? [])
   for (const test of skipped.slice(0, MAX_LISTED)) say(`skipped      ${test}`)
   const failed = results.filter(({ state }) => state === 'FAILED')

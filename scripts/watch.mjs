@@ -1,4 +1,5 @@
-// `npm run watch` (unit) and `npm run watch:gpu`: rerun a project's tests as files change. Arguments after `--` go to Vitest, e.g. `-- tension`.
+// `npm run watch` and `npm run watch:gpu`: run the unit or GPU tests again whenever a file changes. Arguments after
+// `--` go to Vitest, e.g. `-- tension`.
 
 import { ensureBrowser } from './lib/browser.mjs'
 import { main, must } from './lib/run.mjs'

@@ -1,4 +1,4 @@
-"""Automatic wrinkles: exports a face, runs the command `furrow auto` on the file, and reads the result."""
+"""Makes automatic wrinkles: exports a face, runs the command `furrow auto` on the file, and reads the result."""
 
 import shutil
 import subprocess
@@ -11,11 +11,18 @@ from .format.container import GltfFile
 from .format.document import EXTENSION, read_document
 from .format.reader import FurrowError
 
-INSTALL = "install Node.js and run `npm install --global furrow-cli`, or set its path in the extension's preferences"
+INSTALL = (
+    "install Node.js and run `npm install --global furrow-cli`, "
+    "or set the command's path in the extension's preferences"
+)
 
 
 def command_path(preferred):
-    """Find the command: the preferred one if set, else on PATH. Raises FurrowError if it is missing."""
+    """
+    Return the path of the command `furrow`. Raises FurrowError if it is missing.
+
+    `preferred`: path from the preferences. If it is empty, the command is searched on PATH.
+    """
     found = shutil.which(bpy.path.abspath(preferred)) if preferred else shutil.which("furrow")
     if found is None:
         raise FurrowError(f"Furrow: missing command, got {preferred or 'furrow'}; {INSTALL}")
@@ -23,7 +30,11 @@ def command_path(preferred):
 
 
 class AutomaticRun:
-    """A run of the command in the background. Call `poll` until it is done, then `result`, and always `close`."""
+    """
+    Runs the command in the background.
+
+    Call `poll` until the command is done, then `result`. Always call `close` at the end.
+    """
 
     def __init__(self, face, material, command, options):
         self.material = material
@@ -32,17 +43,20 @@ class AutomaticRun:
         self.output = folder / "wrinkled.glb"
         _export(face, folder / "face.glb")
         words = [command, "auto", str(folder / "face.glb"), "-o", str(self.output), "--replace", *options]
-        # Errors go to a file, because nothing reads a pipe while the command runs: a full pipe would block the command.
+        # Errors go to a file. A pipe would fill up, because nothing reads it, and a full pipe blocks the command.
         self.errors = folder / "errors.txt"
         with open(self.errors, "w") as errors:
             self.process = subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=errors)
 
     def poll(self):
-        """Whether the command is done."""
         return self.process.poll() is not None
 
     def result(self):
-        """Return the document and the file with its images. Raises FurrowError with the command's last output line."""
+        """
+        Return the JSON of the wrinkle extension, and the GltfFile that contains its images.
+
+        If the command failed, raises FurrowError with the last line of its error output.
+        """
         if self.process.wait() != 0:
             lines = self.errors.read_text(errors="replace").strip().splitlines()
             raise FurrowError(lines[-1] if lines else "Furrow: furrow auto failed without output; run it in a terminal")
@@ -54,7 +68,7 @@ class AutomaticRun:
         raise FurrowError(f"Furrow: furrow auto made no wrinkles for {self.material.name}; select the skin's material")
 
     def close(self):
-        """Kill the command if it is running, and remove its files."""
+        """Kill the command if it is still running, and remove its files."""
         if self.process.poll() is None:
             self.process.kill()
         self.process.wait()
@@ -62,7 +76,7 @@ class AutomaticRun:
 
 
 def _export(face, path):
-    """Export a face with its armature. Keeps the selection."""
+    """Export a face with its armature. Restores the selection afterwards."""
     selected, active = bpy.context.selected_objects, bpy.context.view_layer.objects.active
     for item in selected:
         item.select_set(False)

@@ -1,9 +1,10 @@
 """
-Drivers of type `time`. Blender's drivers have no memory of earlier frames, so a handler runs after each frame change.
+Delays the activations of areas that have a driver of type `time`.
 
-The handler stores, for each delayed area, the difference between the delayed and the current activation in a property
-of the node group (`LATE`). A driver adds this difference to the activation (`rig.py`). Blender evaluates that driver
-again before it draws or renders. Without the extension, or while the frame stays the same, there are no delays.
+Blender's drivers have no memory of earlier frames, so a handler runs whenever the frame changes. For each delayed
+area, it computes the difference between the delayed and the undelayed activation. It stores the difference in the node
+group, in a custom property whose name begins with `LATE`. A driver in `rig.py` adds this difference to the activation.
+Blender evaluates the driver before it draws or renders. A Blender without this extension does not delay activations.
 """
 
 import math
@@ -14,7 +15,7 @@ from bpy.app.handlers import persistent
 from .format.plan import activation_name
 from .rig import LATE, STEPS
 
-#: By node group: time of the last frame in seconds, and delayed activations by area.
+#: For each node group: the time of the last frame in seconds, and delayed activations by area index.
 _last = {}
 
 
@@ -32,7 +33,7 @@ def update_delays(scene, depsgraph):
         seconds = now - before
         for delay in delays:
             target = steps[activation_name(delay.area)]
-            # Going back by a frame or more resets delays. Motion blur goes back by parts of a frame.
+            # A jump back by one frame or more ends the delay. Motion blur jumps back by less, and must not end it.
             value = shown.get(delay.area, target) if seconds > -1 / rate else target
             if seconds > 0:
                 constant = delay.attack if target > value else delay.release
@@ -44,7 +45,7 @@ def update_delays(scene, depsgraph):
 
 @persistent
 def clear_delays(*_):
-    """Clear delays before saving. In a Blender without the extension, nothing would ever end them."""
+    """Clear the differences before a file is saved, because a Blender without the extension would not update them."""
     for tree in bpy.data.node_groups:
         for delay in tree.furrow.delays:
             _set_late(tree, delay.area, 0.0)

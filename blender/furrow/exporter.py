@@ -1,9 +1,9 @@
 """
-Hooks for Blender's glTF exporter.
+Adds wrinkles to files that Blender's glTF exporter writes.
 
-Blender writes the plain face; then the hooks add the wrinkles to the file. Adding images during the export does not
-work: depending on version and options, the exporter merges, reencodes or drops them. During the export, wrinkle groups
-are detached, so that Blender finds the plain face's textures.
+Before the export, the wrinkle node groups are detached from their materials, so that Blender finds and exports the
+materials' textures. After the export, the wrinkles are added to the file. Images cannot be added during the export,
+because the exporter may merge, reencode or drop them, depending on its version and options.
 """
 
 import bpy
@@ -15,7 +15,7 @@ from .wrinkle_set import document_of
 
 
 class ExportHooks:
-    """State of one export; Blender calls the methods."""
+    """Hooks of one export. Blender calls the methods."""
 
     def __init__(self):
         self.wrinkles = {}
@@ -31,7 +31,7 @@ class ExportHooks:
                 text = f"{error}; {material.name} is exported without wrinkles"
                 export_settings["log"].warning(text, popup=True)
             detach_group(material)
-        # Restores materials after a failed export, for which Blender calls no hook.
+        # If the export fails, Blender calls no hook. The timer restores the materials then.
         bpy.app.timers.register(restore_materials, first_interval=0)
 
     def post_export_hook(self, export_settings):
@@ -41,7 +41,7 @@ class ExportHooks:
 
 
 def restore_materials():
-    """Reattach all groups that an export detached."""
+    """Reattach all wrinkle groups that an export has detached."""
     for material in bpy.data.materials:
         reattach_group(material)
     if bpy.app.timers.is_registered(restore_materials):

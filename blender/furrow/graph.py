@@ -1,10 +1,15 @@
-"""Builds node trees by formulas. Each function takes sockets or numbers, adds a node, and returns its output socket."""
+"""Adds shader nodes to a node tree, with one short call for each node."""
 
 import bpy
 
 
 class Graph:
-    """Adds nodes to a tree, placed to the right of their inputs."""
+    """
+    Adds nodes to a tree. Each node is placed to the right of the nodes that it reads.
+
+    Methods take constants, or output sockets of other nodes, as inputs. All methods except `node` return output sockets
+    of the new node.
+    """
 
     def __init__(self, tree):
         self.tree = tree
@@ -12,7 +17,12 @@ class Graph:
         self.rows = {}
 
     def node(self, kind, inputs=(), label="", **settings):
-        """Add a node, e.g. "ShaderNodeMath", with inputs linked or set by index. Returns the node."""
+        """
+        Add a node and return it.
+
+        `kind`: type of the node, such as "ShaderNodeMath". `inputs`: sockets to link or constants to set, as a list or
+        as a dict by index. `settings`: properties of the node.
+        """
         node = self.tree.nodes.new(kind)
         node.label = label
         for name, value in settings.items():
@@ -31,15 +41,15 @@ class Graph:
         return node
 
     def math(self, operation, *inputs, clamp=False, label=""):
-        """Compute a number by ShaderNodeMath."""
+        """Compute a number with ShaderNodeMath."""
         return self.node("ShaderNodeMath", inputs, label, operation=operation, use_clamp=clamp).outputs[0]
 
     def vector(self, operation, *inputs, label=""):
-        """Compute a vector by ShaderNodeVectorMath, or a number for DOT_PRODUCT and LENGTH."""
+        """Compute a vector with ShaderNodeVectorMath. DOT_PRODUCT and LENGTH compute a number."""
         node = self.node("ShaderNodeVectorMath", [], label, operation=operation)
         column = 0
         for index, value in enumerate(inputs):
-            # SCALE has its factor in the fourth input.
+            # The factor of SCALE is the node's fourth input.
             socket = node.inputs[3 if operation == "SCALE" and index == 1 else index]
             if isinstance(value, bpy.types.NodeSocket):
                 self.tree.links.new(value, socket)
@@ -50,20 +60,18 @@ class Graph:
         return node.outputs["Value" if operation in ("DOT_PRODUCT", "LENGTH") else "Vector"]
 
     def combine(self, x, y, z, label=""):
-        """Combine three numbers to a vector."""
         return self.node("ShaderNodeCombineXYZ", (x, y, z), label).outputs[0]
 
     def separate(self, vector):
-        """Separate a vector into three numbers."""
         return self.node("ShaderNodeSeparateXYZ", (vector,)).outputs
 
     def texture(self, image, uv, label, extension="REPEAT"):
-        """Sample an image. Returns colour and alpha."""
+        """Sample an image. Returns the sockets of colour and alpha."""
         node = self.node("ShaderNodeTexImage", (uv,), label, image=image, extension=extension)
         return node.outputs
 
     def total(self, values, operation="ADD"):
-        """Combine numbers by addition or another operation. Returns 0 for no values."""
+        """Combine any number of values by addition or another operation. Returns 0 without values."""
         values = list(values)
         if not values:
             return 0.0

@@ -1,4 +1,4 @@
-"""Converts between Blender's images and encoded files."""
+"""Converts between images in Blender and encoded image files."""
 
 import os
 import tempfile
@@ -10,7 +10,11 @@ from .format.reader import FurrowError
 
 
 def image_from_file(file, is_data=True):
-    """Create an image with packed bytes, so that an unchanged image is exported losslessly."""
+    """
+    Create an image from an ImageFile. Raises FurrowError if Blender cannot decode it.
+
+    The bytes of the file are packed into the image. If the user does not change the image, these bytes are exported.
+    """
     image = bpy.data.images.new(file.name, 1, 1)
     image.pack(data=file.data, data_len=len(file.data))
     image.source = "FILE"
@@ -24,7 +28,7 @@ def image_from_file(file, is_data=True):
 
 def file_from_image(image):
     """
-    Encode an image for glTF. Returns the original bytes of unchanged images.
+    Encode an image for glTF as an ImageFile. Unchanged images keep their original bytes.
 
     Raises FurrowError if the image has no pixels.
     """
@@ -50,7 +54,7 @@ def _as_png(image):
         raise FurrowError(f'Furrow: image "{image.name}" has no pixels; load or bake it again')
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "image.png")
-        # Saves a copy, to keep the path and format of the user's image.
+        # Saves a copy, because saving changes the path and the format of an image.
         copy = image.copy()
         try:
             if copy.size[0] == 0 or image.is_dirty or image.source == "GENERATED":
@@ -65,7 +69,7 @@ def _as_png(image):
 
 
 def _same_pixels(image, copy):
-    """Copy unsaved pixels, which `Image.copy` omits."""
+    """Replace `copy` by a new image with the pixels of `image`, because `Image.copy` omits unsaved pixels."""
     import numpy as np
 
     name, is_float = image.name, image.is_float

@@ -1,4 +1,8 @@
-"""Hooks for Blender's glTF importer. After an error the face is imported without wrinkles, with one warning."""
+"""
+Imports wrinkles together with Blender's glTF importer.
+
+If the wrinkles have an error, the face is imported without them, and a warning is shown.
+"""
 
 import json
 import struct
@@ -15,7 +19,7 @@ from .wrinkle_set import load_document, new_group, rebuild, store_meshes
 
 
 class ImportHooks:
-    """State of one import; Blender calls the methods."""
+    """Hooks of one import. Blender calls the methods."""
 
     def __init__(self):
         self.file = None
@@ -24,7 +28,7 @@ class ImportHooks:
         self.meshes = {}
 
     def gather_import_material_after_hook(self, gltf_material, _vertex_color, material, gltf):
-        """Create the images, and the wrinkle set as a node group in the material."""
+        """Create the images and the node group of a material's wrinkles, and insert the group into the material."""
         extension = (gltf_material.extensions or {}).get(EXTENSION)
         if extension is None:
             return
@@ -42,12 +46,12 @@ class ImportHooks:
             if errors:
                 _warn(gltf, f"{errors[0]}; skipped drivers: {len(errors)}")
         except Exception as error:
-            # Catches everything: any error must leave the plain face.
+            # Catches all exceptions, because no error in the wrinkles may stop the import of the face.
             _remove(tree)
             _warn(gltf, f"{_text(error)}; the face is imported without wrinkles")
 
     def gather_import_node_after_hook(self, _vnode, gltf_node, item, gltf):
-        """Map the file's node and mesh names, which drivers and shape corrections use, to Blender's objects."""
+        """Store the Blender object by the names of its glTF node and mesh, which drivers and shape corrections use."""
         if gltf_node is None:
             return
         if gltf_node.name is not None:
@@ -57,7 +61,7 @@ class ImportHooks:
                 self.meshes.setdefault(name, item)
 
     def gather_import_scene_after_nodes_hook(self, _gltf_scene, _scene, gltf):
-        """Build the drivers, now that objects, shape keys and bones exist."""
+        """Build the drivers. Blender calls this method after it has created all objects, shape keys and bones."""
         for material, tree in self.loaded:
             try:
                 tree.furrow.face = _face_of(material)
@@ -70,7 +74,7 @@ class ImportHooks:
 
 
 def _animations(file):
-    """Return the animations as JSON text, to search for the extension's name in `KHR_animation_pointer`."""
+    """Return the animations as JSON text. The caller searches it for pointers to the wrinkle extension."""
     return json.dumps(file.json.get("animations", []))
 
 
@@ -92,7 +96,7 @@ def _remove(tree):
 
 
 def _face_of(material):
-    """Find the first mesh with the material, preferably with shape keys."""
+    """Return the first mesh object with the material. Prefers objects that have shape keys."""
     meshes = [
         item
         for item in bpy.data.objects
@@ -102,13 +106,12 @@ def _face_of(material):
 
 
 def _joints_of(wrinkles):
-    """List the distinct names of joints that drivers measure."""
     drivers = [json.loads(driver.json) for driver in wrinkles.drivers]
     return list(dict.fromkeys(name for driver in drivers if driver["type"] == "bone" for name in driver["joints"]))
 
 
 def _store_frames(file, face):
-    """Store joints' rest rotations, from the skins' inverse bind matrices."""
+    """Compute the rest rotations of joints from the inverse bind matrices of skins, and store them on the bones."""
     armature = armature_of(face)
     if armature is None:
         return

@@ -1,9 +1,10 @@
 """
-Drivers of type `bone`: the rotation of a joint from rest, relative to another joint, or their distance. Joints are
-bones of the face's armature, or imported objects.
+Evaluates drivers of type `bone`, which read two joints.
 
-Blender's rotational difference variable is unsigned and not relative to rest. So small drivers compute the relative
-rotation, one per quaternion component.
+A joint is a bone of the face's armature, or an imported object. The driver reads the distance between two joints, or
+the change of their relative rotation since the rest pose. Blender's driver variable for rotational differences ignores
+the rest pose, and its angle has no sign. Therefore small drivers compute the relative rotation as a quaternion, one
+driver per component.
 """
 
 from dataclasses import dataclass
@@ -13,13 +14,13 @@ from mathutils import Matrix, Quaternion, Vector
 
 from .format.plan import Source, Step
 
-#: Custom property of a bone: rotation from its glTF joint's frame to its own, at rest.
+#: Custom property of a bone: rotation from the frame of the glTF joint to the frame of the bone, in the rest pose.
 FRAME = "furrow_frame"
 
 #: Rotation from glTF's Y-up to Blender's Z-up.
 _Y_TO_Z = Matrix(((1, 0, 0), (0, 0, -1), (0, 1, 0)))
 
-#: Components w, x, y, z of the quaternion product conjugate(a, b, c, d) * (e, f, g, h).
+#: Components w, x, y, z of the quaternion product `conjugate((a, b, c, d)) * (e, f, g, h)`.
 _PRODUCT = ("a*e+b*f+c*g+d*h", "a*f-b*e-c*h+d*g", "a*g+b*h-c*e-d*f", "a*h-b*g+c*f-d*e")
 
 
@@ -27,20 +28,25 @@ _PRODUCT = ("a*e+b*f+c*g+d*h", "a*f-b*e-c*h+d*g", "a*g+b*h-c*e-d*f", "a*h-b*g+c*
 class _Joint:
     owner: bpy.types.Object
     bone: str
-    """Name of the owner's bone, or empty for the owner itself."""
+    """Name of the bone if `owner` is an armature. Empty if the owner itself is the joint."""
     rest: Quaternion
+    """Rotation of the bone or object at rest."""
     frame: Quaternion | None
-    """Rotation from the glTF joint's frame to Blender's, at rest; None if unknown."""
+    """Rotation from the glTF joint's frame to the frame of the bone or object, in the rest pose. None if unknown."""
 
 
 def can_measure(wrinkles, driver):
-    """Whether a `bone` driver's joints exist, and its axis can be converted to Blender's frame."""
+    """Return whether a `bone` driver's joints exist, and whether its axis can be converted to the frame of the bone."""
     joints = _joints(wrinkles, driver["joints"])
     return joints is not None and ("axis" not in driver or joints[1].frame is not None)
 
 
 def _joints(wrinkles, names):
-    """Find two joints by name. Returns None if they are neither bones of the face's armature nor imported objects."""
+    """
+    Find two joints by name.
+
+    Returns None unless both are bones of the face's armature, or both are imported objects.
+    """
     armature = armature_of(wrinkles.face)
     bones = [armature.data.bones.get(name) for name in names] if armature else []
     if bones and all(bones):
@@ -54,7 +60,7 @@ def _joints(wrinkles, names):
 
 
 def expand_joints(steps, wrinkles):
-    """Insert steps that measure joints before the steps that read them."""
+    """Replace sources of kind `joint` by additional steps, which compute the rotation or the distance."""
     out = []
     for step in steps:
         sources = []
@@ -69,7 +75,12 @@ def expand_joints(steps, wrinkles):
 
 
 def read_joint(driver, measured):
-    """Add a driver variable for a component of a joint's rotation, or for the distance of two joints."""
+    """
+    Add a driver variable and return it.
+
+    `measured`: `(component, joint)` for a component w, x, y or z of a joint's rotation, or
+    `("distance", joint, joint)`.
+    """
     kind, *joints = measured
     variable = driver.variables.new()
     variable.type = "LOC_DIFF" if kind == "distance" else "TRANSFORMS"
@@ -86,9 +97,10 @@ def read_joint(driver, measured):
 
 def store_frames(armature, rest_of):
     """
-    Store the rotation of each bone's glTF joint on the bone, for drivers' axes.
+    Store the property `FRAME` on each bone. It converts the axes of drivers.
 
-    `rest_of`: function from a bone's name to the joint's rest rotation in skin space, a 3 x 3 matrix, or None.
+    `rest_of`: function that takes the name of a bone, and returns the rest rotation of its glTF joint in skin space, a
+    3 x 3 matrix. It returns None for bones that are no joints.
     """
     for bone in armature.data.bones:
         rest = rest_of(bone.name)
@@ -98,7 +110,11 @@ def store_frames(armature, rest_of):
 
 
 def store_nodes(wrinkles, names, objects):
-    """Store the objects that drivers measure as joints in a set, with their current world rotations as rest."""
+    """
+    Store the imported objects that drivers read as joints. Their current world rotations become their rest rotations.
+
+    `names`: names of joints. `objects`: imported objects by the name of their glTF node.
+    """
     for name in names:
         if name in objects:
             joint = wrinkles.joints.add()
@@ -107,13 +123,12 @@ def store_nodes(wrinkles, names, objects):
 
 
 def _world(item):
-    """Compute an object's world matrix, which Blender updates only after the import."""
+    """Return the world matrix of an object. During an import, Blender's own world matrix is not up to date."""
     parent = _world(item.parent) @ item.matrix_parent_inverse if item.parent else Matrix()
     return parent @ item.matrix_basis
 
 
 def armature_of(face):
-    """Return the armature that deforms a face, or None."""
     return face.find_armature() if face else None
 
 
@@ -134,6 +149,6 @@ def _measure(name, origin, joint, kind, axis):
         angle = "2*atan2(sqrt(b*b+c*c+d*d),abs(a))"
     else:
         x, y, z = (joint.frame @ Vector(axis)).normalized()
-        # Handles both signs: q and -q are the same rotation.
+        # The sign of the angle must not depend on the sign of the quaternion: q and -q are the same rotation.
         angle = f"2*atan2((b*({x:.7f})+c*({y:.7f})+d*({z:.7f}))*(1 if a>0 else -1),abs(a))"
     return [*steps, Step(name, "SCRIPTED", turned, angle)]

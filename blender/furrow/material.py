@@ -1,11 +1,15 @@
-"""Inserts wrinkle groups between a material's textures and its shader, and detaches them during exports."""
+"""
+Inserts wrinkle groups into materials, and detaches them during exports.
 
-#: Custom property of a detached group's node.
+A wrinkle group is a node group between the textures and the shader. It mixes wrinkles into the values of the textures.
+"""
+
+#: Custom property that marks the node of a detached group.
 _DETACHED = "furrow_out"
 
 
 def group_node(material):
-    """Return the node of a material's wrinkle group, or None."""
+    """Return the node of a material that holds its wrinkle group, or None."""
     if material is None or material.node_tree is None:
         return None
     for node in material.node_tree.nodes:
@@ -21,7 +25,7 @@ def wrinkle_group(material):
 
 
 def insert_group(material, group):
-    """Insert a group into a material unless present, and link its sockets. Keeps existing links."""
+    """Insert a group into a material, unless the material has one, and link its sockets. Keeps existing links."""
     tree = material.node_tree
     shader = shader_node(tree)
     node = group_node(material)
@@ -38,7 +42,7 @@ def insert_group(material, group):
 
 
 def detach_group(material):
-    """Restore the plain material. The group's node stays, muted and without outputs."""
+    """Restore the material without wrinkles. The node of the group stays, but is muted and has no linked outputs."""
     node = group_node(material)
     tree = material.node_tree
     for output in node.outputs:
@@ -59,7 +63,7 @@ def detach_group(material):
 
 
 def reattach_group(material):
-    """Undo `detach_group`, unless the material has lost its Principled BSDF."""
+    """Undo `detach_group`. Does nothing if the material no longer has a Principled BSDF."""
     node = group_node(material)
     if node is None or _DETACHED not in node or not _shaders(material.node_tree):
         return
@@ -73,7 +77,7 @@ def reattach_group(material):
 
 
 def shader_node(tree):
-    """Return the linked Principled BSDF, else the first. Raises LookupError if there is none."""
+    """Return the Principled BSDF with linked outputs, or the first one. Raises LookupError if there is none."""
     nodes = _shaders(tree)
     if not nodes:
         raise LookupError("the material has no Principled BSDF")
@@ -85,7 +89,12 @@ def _shaders(tree):
 
 
 def _link(tree, node, name, target):
-    """Insert a pair of the group's sockets directly after the texture that feeds a shader's socket."""
+    """
+    Insert the group between a texture and the sockets that read the texture.
+
+    `name`: name of a group input. The group output with the same name adds wrinkles to this value.
+    `target`: the shader's socket, to which the texture is linked directly or through other nodes.
+    """
     if name not in node.inputs:
         return
     if node.outputs[name].is_linked:
@@ -103,7 +112,12 @@ def _link(tree, node, name, target):
 
 
 def _find_texture(target):
-    """Find the socket of the texture, or of its separated channel, that feeds a socket, and the sockets it feeds."""
+    """
+    Find the texture, or the separated channel of a texture, on which `target` depends. Returns its socket, and a list
+    of the sockets that read it.
+
+    Without a texture, returns the socket linked to `target`, and `[target]`. Returns None if `target` is not linked.
+    """
     if not target.links:
         return None
     link = target.links[0]
@@ -117,12 +131,12 @@ def _find_texture(target):
 
 
 def _link_normal(tree, node, shader):
-    """Insert the group between the normal texture and the Normal Map node. Creates a missing Normal Map node."""
+    """Insert the group between the normal texture and the Normal Map node. Creates the Normal Map node if missing."""
     target = shader.inputs["Normal"]
     normal_map = target.links[0].from_node if target.links else None
     if normal_map is None or normal_map.type != "NORMAL_MAP":
         if target.links:
-            # Keeps other nodes, such as Bump, which wrinkles cannot mix with.
+            # Wrinkles mix only with a normal texture. Another node, such as Bump, stays, and normals get no wrinkles.
             return
         normal_map = tree.nodes.new("ShaderNodeNormalMap")
         normal_map.location = (node.location.x, node.location.y - 320)
@@ -142,7 +156,11 @@ def _link_normal(tree, node, shader):
 
 
 def _coordinates(tree, node, normal_map):
-    """Return the normal texture's coordinates, else those of the Normal Map node's UV map."""
+    """
+    Return the socket with the texture coordinates of the normal texture.
+
+    If the texture has none, adds a node with the UV map of the Normal Map node.
+    """
     source = node.inputs["Normal"].links[0].from_node if node.inputs["Normal"].links else None
     if source and source.type == "TEX_IMAGE" and source.inputs["Vector"].is_linked:
         return source.inputs["Vector"].links[0].from_socket

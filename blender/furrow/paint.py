@@ -1,4 +1,4 @@
-"""Makes images from a mesh: an area from a vertex group, a normal map from a multires sculpt."""
+"""Draws the image of an area from a vertex group, and bakes a normal map from a sculpt."""
 
 import bpy
 import numpy as np
@@ -8,7 +8,11 @@ from .weights import draw_weights
 
 
 def image_from_vertex_group(face, group, size):
-    """Draw a vertex group's weights into a new gray image, in the mesh's active UV map."""
+    """
+    Draw the weights of a vertex group into a new gray image, at the UVs of the mesh's active UV map.
+
+    `size`: width and height in texels. Raises FurrowError if the mesh has no UV map.
+    """
     mesh = face.data
     layer = mesh.uv_layers.active
     if layer is None:
@@ -34,13 +38,17 @@ def image_from_vertex_group(face, group, size):
 
 
 def bake_sculpt(face, material, size):
-    """Bake a multires sculpt's details over its lowest level into a new normal map."""
+    """
+    Bake a new normal map of the details that a sculpt adds to the lowest level of its Multires modifier.
+
+    `size`: width and height in texels. Raises FurrowError without a subdivided Multires modifier, or if the bake fails.
+    """
     modifier = next((item for item in face.modifiers if item.type == "MULTIRES"), None)
     if modifier is None or modifier.total_levels == 0:
         raise FurrowError(f"Furrow: {face.name} has no subdivided Multires modifier; add one and sculpt")
     image = bpy.data.images.new(f"{face.name} sculpt", size, size, alpha=False)
     image.colorspace_settings.is_data = True
-    # Texels outside UV islands stay flat.
+    # Texels outside UV islands keep the colour of a flat normal map.
     image.generated_color = (0.5, 0.5, 1, 1)
     tree = material.node_tree
     node = tree.nodes.new("ShaderNodeTexImage")
@@ -49,7 +57,7 @@ def bake_sculpt(face, material, size):
     tree.nodes.active = node
     modifier.levels = 0
     render = bpy.context.scene.render
-    # Blender 5.0 moved the settings.
+    # Since Blender 5.0, the settings are in `render.bake`.
     owner, multires, kind = (
         (render.bake, "use_multires", "type")
         if hasattr(render.bake, "use_multires")

@@ -1,4 +1,4 @@
-"""The panel "Wrinkles" in the material properties."""
+"""Draws the panel "Wrinkles" in the material properties."""
 
 import json
 
@@ -77,6 +77,7 @@ class FURROW_PT_layers(_Panel, bpy.types.Panel):
             ("occlusion", "occlusion_strength"),
             ("height", "height_amplitude"),
             ("blood", "blood_amplitude"),
+            ("onset", "onset_strength"),
         ):
             self.layout.template_ID(
                 layer, name, new="image.new", open="image.open", text=name.replace("_", " ").title()

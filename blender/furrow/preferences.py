@@ -1,4 +1,4 @@
-"""Preferences of the extension."""
+"""Defines the preferences of the extension."""
 
 import bpy
 
@@ -18,7 +18,7 @@ class FurrowPreferences(bpy.types.AddonPreferences):
 
 
 def preferred_command(context):
-    """Return the command's path from the preferences, or an empty string."""
+    """Return the path of the command `furrow` from the preferences, or an empty string."""
     addon = context.preferences.addons.get(__package__)
     return addon.preferences.command if addon and addon.preferences else ""
 

@@ -1,6 +1,7 @@
 """
-A wrinkle set as Blender properties of its node group, `node_group.furrow`, so that the group, its images and its
-drivers are saved, linked and appended together.
+Defines `node_group.furrow`, the properties of a node group that store a wrinkle set.
+
+The set is stored in the group, so that Blender saves, links and appends the group, its images and its drivers together.
 """
 
 import json
@@ -18,18 +19,18 @@ from bpy.props import (
 )
 
 KINDS = [
-    ("replace", "Replace", "The map has pores and wrinkles, and replaces the material's normal map"),
-    ("detail", "Detail", "The map has only wrinkles, added to the material's normal map"),
+    ("replace", "Replace", "The map shows pores and wrinkles, and replaces the material's normal map"),
+    ("detail", "Detail", "The map shows only wrinkles, and is added to the material's normal map"),
 ]
 COMBINE = [
-    ("sum", "Sum", "Added to other areas of the layer"),
-    ("max", "Maximum", "Maximum with other areas of the layer"),
+    ("sum", "Sum", "Add this area to the other areas of the layer"),
+    ("max", "Maximum", "Use the maximum of this area and the other areas of the layer"),
 ]
 CHANNELS = [(str(i), name, f"Channel {name} of the image") for i, name in enumerate("RGBA")]
 
 
 def _rebuild(self, _context):
-    """Rebuild after a change by the user or a script."""
+    """Rebuild nodes and drivers after a user or a script has changed a property."""
     from .wrinkle_set import is_loading, rebuild
 
     if not is_loading():
@@ -37,7 +38,7 @@ def _rebuild(self, _context):
 
 
 def _rename(self, context):
-    """Rename the area in drivers."""
+    """Use the new name of an area in all drivers, then rebuild."""
     from .format.edit import rename_area
 
     wrinkles = self.id_data.furrow
@@ -56,10 +57,11 @@ def _preview(self, _context):
 
 def _stored(name, default):
     """
-    Create the getter and setter of a number that drivers read. It is stored as a custom property of the node group,
-    numbered by the item's index.
+    Create the getter and setter of a number that drivers read.
 
-    Blender reports a dependency cycle for drivers that read a group's registered properties, but not for custom ones.
+    The number is stored in the node group, as a custom property. Its name is `name` followed by the index of the area
+    or input. If drivers read registered properties of their own group, Blender reports a dependency cycle. With custom
+    properties, it does not.
     """
 
     def key(self):
@@ -80,32 +82,39 @@ def _image(description):
 
 
 class FurrowLayer(bpy.types.PropertyGroup):
-    """Maps of the fully wrinkled skin."""
+    """A layer: maps of the skin with all its wrinkles fully visible."""
 
     name: StringProperty(name="Name", update=_rebuild)
     kind: EnumProperty(name="Kind", items=KINDS, update=_rebuild)
-    normal: _image("Tangent-space normals")
+    normal: _image("Normal map in tangent space")
     normal_scale: FloatProperty(name="Scale", default=1, soft_min=0, soft_max=2, update=_rebuild)
-    base_color: _image("Base colour, fully wrinkled")
-    roughness: _image("Roughness in G")
-    occlusion: _image("Occlusion in R; exported but not shown, because Blender traces light")
+    base_color: _image("Base colour of the fully wrinkled skin")
+    roughness: _image("Roughness in channel G")
+    occlusion: _image("Occlusion in channel R. Exported but not shown, because Cycles traces rays")
     occlusion_strength: FloatProperty(name="Strength", default=1, min=0, max=1)
-    height: _image("Height in R; exported but not shown")
+    height: _image("Height in channel R. Exported but not shown")
     height_amplitude: FloatProperty(
-        name="Amplitude", default=0.001, min=0, max=1000, precision=5, description="Height from black to white, metres"
+        name="Amplitude",
+        default=0.001,
+        min=0,
+        max=1000,
+        precision=5,
+        description="Difference of height between black and white, metres",
     )
-    blood: _image("Change of blood in B, 0.5 = unchanged; must be the same image as the occlusion")
+    blood: _image("Change of blood in channel B, where 0.5 means unchanged. Must be the same image as the occlusion")
     blood_amplitude: FloatProperty(name="Amplitude", default=0.3, min=0, max=2, update=_rebuild)
+    onset: _image("Influence at which wrinkles begin, in G; must be the same image as the occlusion and blood")
+    onset_strength: FloatProperty(name="Strength", default=1, min=0, max=1, update=_rebuild)
     other: StringProperty(default="{}")
 
 
 class FurrowArea(bpy.types.PropertyGroup):
-    """Area of one group of wrinkles."""
+    """An area: where one group of wrinkles of a layer appears."""
 
     name: StringProperty(name="Name", update=_rename)
-    known_name: StringProperty(description="Name before a change")
+    known_name: StringProperty(description="Name before the last change")
     layer: IntProperty(name="Layer", min=0, max=3, description="Index of the layer, from 0", update=_rebuild)
-    image: _image("Weights: white where wrinkles are fully visible")
+    image: _image("Weights of the area. White where wrinkles are fully visible")
     channel: EnumProperty(name="Channel", items=CHANNELS, update=_rebuild)
     combine: EnumProperty(name="Combine", items=COMBINE, update=_rebuild)
     activation: FloatProperty(
@@ -113,27 +122,27 @@ class FurrowArea(bpy.types.PropertyGroup):
         min=0,
         max=1,
         subtype="FACTOR",
-        description="Resting activation. Drivers add to it",
+        description="Activation without drivers. Drivers add to it",
         **_stored("rest", 0.0),
     )
     other: StringProperty(default="{}")
 
 
 class FurrowDriver(bpy.types.PropertyGroup):
-    """A driver as JSON, which keeps fields that Blender does not support."""
+    """A driver, stored as JSON to keep fields that this extension does not support."""
 
     json: StringProperty()
 
 
 class FurrowInput(bpy.types.PropertyGroup):
-    """A number read by drivers, such as the age."""
+    """A number that drivers read, such as the age."""
 
     name: StringProperty()
     value: FloatProperty(name="Value", **_stored("input", 0.0))
 
 
 class FurrowJoint(bpy.types.PropertyGroup):
-    """An imported object that drivers measure as a joint."""
+    """An imported object that drivers read as a joint."""
 
     name: StringProperty()
     object: PointerProperty(type=bpy.types.Object)
@@ -141,14 +150,14 @@ class FurrowJoint(bpy.types.PropertyGroup):
 
 
 class FurrowMesh(bpy.types.PropertyGroup):
-    """An imported mesh used in shape corrections."""
+    """An imported mesh to which shape corrections refer."""
 
     name: StringProperty()
     object: PointerProperty(type=bpy.types.Object)
 
 
 class FurrowDelay(bpy.types.PropertyGroup):
-    """A driver of type `time`: time constants of an area, seconds."""
+    """Time constants of a delayed area, seconds."""
 
     area: IntProperty()
     attack: FloatProperty()
@@ -156,7 +165,7 @@ class FurrowDelay(bpy.types.PropertyGroup):
 
 
 class FurrowWrinkles(bpy.types.PropertyGroup):
-    """The wrinkle set of a node group. Other groups have no layers."""
+    """A wrinkle set. Every node group has this property, but only groups with `is_wrinkles` use it."""
 
     is_wrinkles: BoolProperty()
     layers: CollectionProperty(type=FurrowLayer)
@@ -170,9 +179,12 @@ class FurrowWrinkles(bpy.types.PropertyGroup):
     active_area: IntProperty(update=_preview)
     preview: BoolProperty(name="Preview", description="Show only the active area, fully wrinkled", update=_preview)
     face: PointerProperty(
-        type=bpy.types.Object, name="Face", description="Object with the driving shape keys and bones", update=_rebuild
+        type=bpy.types.Object,
+        name="Face",
+        description="Object whose shape keys and bones drive the wrinkles",
+        update=_rebuild,
     )
-    notes: StringProperty(description="Exported data that Blender does not show, one per line")
+    notes: StringProperty(description="Notes about exported data that Blender does not show, one per line")
     other: StringProperty(default="{}")
 
 

@@ -1,4 +1,4 @@
-"""Registers the extension's classes and handlers."""
+"""Registers the classes and handlers of the extension in Blender."""
 
 from . import delays, operators, panel, preferences, properties
 from .exporter import restore_materials

@@ -1,12 +1,15 @@
 """
-Builds the drivers of a wrinkle group. Each step of the plan is a driven custom property of one node, "Steps". Drivers
-of the other nodes' inputs read the final steps. `nodes["Steps"]["d0l1"]` is the second link of the first driver, and
-`nodes["Steps"]["a3"]` the activation of the fourth area. The group's own properties `["rest3"]` and `["late3"]` are
-that area's resting activation and lag (`delays.py`).
+Builds the Blender drivers of a wrinkle group.
 
-Steps must not be properties of the group itself. Before evaluating drivers of nodes, Blender writes back all driven
-properties of the data-block (`BKE_animsys_eval_driver_unshare`), in another thread. That reverts computed steps in
-about one of fifty changes of a shape key (Blender 4.5 and 5.0).
+Each step of the plan (`format/plan.py`) is a custom property with a driver. The properties belong to a node named
+"Steps": `nodes["Steps"]["d0l1"]` is the second link of the first driver, and `nodes["Steps"]["a3"]` is the activation
+of the fourth area. Inputs of shader nodes have drivers that read the activations. Custom properties of the group store
+other numbers: `["rest3"]` is the resting activation of the fourth area, and `["late3"]` is the difference between its
+delayed and undelayed activation (`delays.py`).
+
+Steps must not be properties of the group. Before Blender evaluates drivers of nodes, another thread reads and writes
+back all driven properties of the group (`BKE_animsys_eval_driver_unshare`). In Blender 4.5 and 5.0, this reverts
+computed steps about once in fifty changes of a shape key.
 """
 
 import json
@@ -16,19 +19,19 @@ import bpy
 from .format.plan import plan_drivers, shown_name
 from .joints import can_measure, expand_joints, read_joint
 
-#: Name of the frame node with the steps as custom properties.
 STEPS = "Steps"
 
-#: Prefix of the group's custom property with an area's lag; the area's index follows.
+#: Name prefix of custom properties, followed by the index of an area. Each property is the difference between the
+#: area's delayed and undelayed activation.
 LATE = "late"
 
-#: Key frames of a driver that scales, extrapolated linearly.
+#: Key frames of a driver that multiplies by 1. They are extrapolated linearly.
 _UNIT = ((0, 0), (1, 1))
 
 
 def build_drivers(tree, activations):
     """
-    Replace a group's drivers by those of its wrinkle set.
+    Replace all drivers of a group by those of its wrinkle set.
 
     `activations`: result of `build_nodes`. Returns the plan.
     """
@@ -43,7 +46,7 @@ def build_drivers(tree, activations):
     plan = plan_drivers(drivers, areas, targets, lambda driver: can_measure(wrinkles, driver))
     _declare_inputs(wrinkles, plan.inputs)
     for area in wrinkles.areas:
-        # Creates the custom property that drivers read.
+        # The setter creates the custom property that drivers read.
         area.activation = area.activation
     _declare_delays(tree, plan.delays)
     steps = expand_joints(plan.steps, wrinkles)
@@ -67,13 +70,13 @@ def build_drivers(tree, activations):
 
 
 def activation_of(tree, area):
-    """Return an area's current activation. `area`: index."""
+    """Return the current activation of an area. `area`: index."""
     steps = tree.nodes.get(STEPS)
     return steps.get(_shown(tree, area), 0.0) if steps else 0.0
 
 
 def show_preview(tree):
-    """Show only the active area, fully wrinkled, while `preview` is set. Mutes the nodes' drivers."""
+    """If `preview` is set, show only the active area, with activation 1, and mute the drivers of shader nodes."""
     if tree.animation_data is None:
         return
     wrinkles = tree.furrow
@@ -121,7 +124,11 @@ def _shape(curve, step):
 
 
 def _key(curve, points, extrapolation):
-    """Set the F-curve's key frames, which map the driver's value. Without key frames the value is unchanged."""
+    """
+    Set the key frames of a driver's F-curve, which map the value of the driver.
+
+    `points`: (input, output). Without points, the value is not changed.
+    """
     for modifier in list(curve.modifiers):
         curve.modifiers.remove(modifier)
     curve.keyframe_points.clear()
@@ -160,7 +167,7 @@ def _variable(driver, name, id_type, owner, path):
 
 
 def _declare_inputs(wrinkles, inputs):
-    """Set the list of inputs. Existing inputs keep their values."""
+    """Store the list of inputs in the wrinkle set. Existing inputs keep their values."""
     values = {item.name: item.value for item in wrinkles.inputs}
     wrinkles.inputs.clear()
     for name, initial in inputs.items():
@@ -170,7 +177,7 @@ def _declare_inputs(wrinkles, inputs):
 
 
 def _declare_delays(tree, delays):
-    """Set the delayed areas, with zero lag."""
+    """Store the delayed areas in the wrinkle set. Their delayed activations start equal to the undelayed ones."""
     tree.furrow.delays.clear()
     for area, (attack, release) in delays.items():
         item = tree.furrow.delays.add()

@@ -1,17 +1,19 @@
 """
-Builds the nodes of a wrinkle set: influence per layer, then normals, base colour, roughness and blood, mixed before
-lighting (docs/FURROW_wrinkle_maps.md, "Mixing").
+Builds the shader nodes of a wrinkle group (formulas: docs/FURROW_wrinkle_maps.md, "Mixing").
 
-The group's inputs and outputs are the material's plain and wrinkled values. Normals are tangent-space colours; the
-material's Normal Map node decodes them.
+The nodes compute the influence of each layer: the sum of its areas times their activations. Onset maps delay it. The
+nodes then mix normals, base colour, roughness and blood by these influences, before lighting. The inputs of the group
+are the material's values without wrinkles, and the outputs are the values with wrinkles. Normals are colours in tangent
+space. The Normal Map node of the material decodes them.
 """
 
 from .graph import Graph
 
-#: Optical depth of red, green and blue per unit of blood.
+#: Optical depth of one unit of blood for red, green and blue light.
 BLOOD_ABSORPTION = (0.35, 1.0, 0.89)
 
-#: Sockets of the group: type, default, and the maps that require the socket (none: always).
+#: Sockets of the group: type, default value, and kinds of maps. The group has a socket if a layer has a map of one of
+#: these kinds. A socket without kinds is always present.
 SOCKETS = {
     "Base Color": ("NodeSocketColor", (1, 1, 1, 1), ("base_color", "blood")),
     "Roughness": ("NodeSocketFloat", 1.0, ("roughness",)),
@@ -22,9 +24,9 @@ FACTORS = {"Base Color Factor": "Base Color", "Roughness Factor": "Roughness"}
 
 def build_nodes(tree):
     """
-    Build the nodes of a group's wrinkle set.
+    Build the nodes of a wrinkle group.
 
-    Returns the activation inputs by area index: pairs of node name and input index.
+    Returns where each area's activation must be written: a pair of node name and input index, by index of the area.
     """
     wrinkles = tree.furrow
     _declare(tree, [name for name, (_, _, maps) in SOCKETS.items() if not maps or _has(wrinkles, maps)])
@@ -34,7 +36,10 @@ def build_nodes(tree):
     activations = {}
     tile = graph.vector("FRACTION", inputs["UV"], label="repeat")
     images = _area_images(graph, wrinkles, tile)
-    influences = [_influence(graph, wrinkles, index, images, activations) for index in range(len(wrinkles.layers))]
+    influences = [
+        _delayed(graph, layer, _influence(graph, wrinkles, index, images, activations), inputs["UV"])
+        for index, layer in enumerate(wrinkles.layers)
+    ]
     outputs = graph.node("NodeGroupOutput")
     normal = _mixed_normal(graph, wrinkles, influences, inputs)
     tree.links.new(normal, outputs.inputs["Normal"])
@@ -58,7 +63,7 @@ def _has(wrinkles, maps):
 
 
 def _declare(tree, names):
-    """Set the group's sockets. Existing sockets keep their links and values in materials."""
+    """Create the missing sockets of the group and remove unneeded ones. The others keep their links and values."""
     sockets = {(name, "OUTPUT"): SOCKETS[name] for name in names}
     sockets |= {(name, "INPUT"): SOCKETS[name] for name in names}
     sockets |= {(factor, "INPUT"): SOCKETS[name] for factor, name in FACTORS.items() if name in names}
@@ -75,7 +80,7 @@ def _declare(tree, names):
 
 
 def _area_images(graph, wrinkles, uv):
-    """Create one texture node per area image; areas may share it."""
+    """Create one texture node for each image of areas. Returns their sockets by image name."""
     images = {}
     for area in wrinkles.areas:
         if area.image and area.image.name not in images:
@@ -84,7 +89,12 @@ def _area_images(graph, wrinkles, uv):
 
 
 def _influence(graph, wrinkles, layer, images, activations):
-    """Build max(min(1, sum(w a)), max(w a)), with the sum and maximum over areas of each `combine` mode."""
+    """
+    Build the influence of a layer: `max(min(1, sum(w * a)), max(w * a))`, with weight w and activation a of an area.
+
+    The sum is over areas with `combine` "sum", and the maximum over areas with `combine` "max". Stores in
+    `activations` where each area's activation must be written.
+    """
     sums, largest = [], []
     members = [(i, area) for i, area in enumerate(wrinkles.areas) if area.layer == layer and area.image]
     for name, (color, alpha) in images.items():
@@ -96,7 +106,8 @@ def _influence(graph, wrinkles, layer, images, activations):
                     node = graph.node("ShaderNodeMath", (alpha, 0.0), area.name, operation="MULTIPLY")
                     activations[i] = (node.name, 1)
                     (sums if mode == "sum" else largest).append(node.outputs[0])
-            # Several areas in one channel need one product each.
+            # A vector holds the activations of up to three areas of an image, one per channel. Areas that share a
+            # channel need several vectors.
             while in_color:
                 chosen = {a.channel: (i, a) for i, a in reversed(in_color)}
                 in_color = [pair for pair in in_color if pair not in chosen.values()]
@@ -114,8 +125,24 @@ def _influence(graph, wrinkles, layer, images, activations):
     return graph.total([total, *largest], "MAXIMUM")
 
 
+def _delayed(graph, layer, influence, uv):
+    """
+    Delay the influence of a layer by its onset map (docs/FURROW_wrinkle_maps.md, "Onset").
+
+    Computes `I + strength * (t * (2 - t) - I)` with `t = clamp(1 - (1 - I) / max(1 - onset, 1 / 255))`.
+    """
+    if not layer.onset:
+        return influence
+    onset = graph.separate(graph.texture(layer.onset, uv, layer.name)[0])[1]
+    span = graph.math("MAXIMUM", graph.math("SUBTRACT", 1.0, onset), 1 / 255)
+    missing = graph.math("DIVIDE", graph.math("SUBTRACT", 1.0, influence), span)
+    t = graph.math("SUBTRACT", 1.0, missing, clamp=True)
+    curve = graph.math("MULTIPLY", t, graph.math("SUBTRACT", 2.0, t))
+    change = graph.math("SUBTRACT", curve, influence)
+    return graph.math("MULTIPLY_ADD", change, layer.onset_strength, influence, label=f"onset of {layer.name}")
+
+
 def _shares(graph, influences):
-    """Divide influences by their sum if it exceeds 1."""
     if len(influences) < 2:
         return influences
     total = graph.math("MAXIMUM", graph.total(influences), 1.0)
@@ -123,7 +150,7 @@ def _shares(graph, influences):
 
 
 def _unpacked(graph, color, scale):
-    """Decode a normal to -1..1, with x and y scaled."""
+    """Decode a normal from 0..1 to -1..1, and multiply its x and y by `scale`."""
     normal = graph.vector("MULTIPLY_ADD", color, (2, 2, 2), (-1, -1, -1))
     return normal if scale == 1 else _scaled(graph, normal, scale)
 
@@ -167,7 +194,11 @@ def _with_z_1(graph, slope):
 
 
 def _reoriented(graph, base, detail):
-    """Rotate the detail from (0, 0, 1) to the base: t dot(t, u) / t.z - u (reoriented normal mapping)."""
+    """
+    Add the normal of a detail map to a base normal by reoriented normal mapping.
+
+    Computes `t * dot(t, u) / t.z - u` with `t = base + (0, 0, 1)` and `u = detail * (-1, -1, 1)`.
+    """
     t = graph.vector("ADD", base, (0, 0, 1))
     u = graph.vector("MULTIPLY", detail, (-1, -1, 1))
     scale = graph.math("DIVIDE", graph.vector("DOT_PRODUCT", t, u), graph.separate(t)[2])

@@ -2,21 +2,21 @@
 
 import numpy as np
 
-#: Margin around UV islands in texels, so that bilinear samples read no black.
+#: Width in texels of the margin around UV islands. Without a margin, bilinear filtering mixes in the black background.
 MARGIN = 4
 
 
 def draw_weights(coordinates, weights, size, margin=MARGIN):
     """
-    Draw triangles with a weight at each corner.
+    Draw triangles into an image, with interpolated weights.
 
-    `coordinates`: UVs, v upwards, shape (triangles, 3, 2). `weights`: 0 to 1, shape (triangles, 3). Returns float32 of
-    shape (size, size), bottom row first, as Blender stores images.
+    `coordinates`: UVs of the corners, v upwards, shape (triangles, 3, 2). `weights`: weights of the corners, 0 to 1,
+    shape (triangles, 3). Returns float32 of shape (size, size), bottom row first, as Blender stores images.
     """
     image = np.zeros((size, size), np.float32)
     covered = np.zeros((size, size), bool)
     texels = np.asarray(coordinates, np.float64) * size - 0.5
-    # Moves triangles outside the image into it by full repeats.
+    # Textures repeat, so triangles outside the image are moved into it by whole image widths and heights.
     texels -= np.floor((texels.mean(axis=1, keepdims=True) + 0.5) / size) * size
     for corners, values in zip(texels, np.asarray(weights, np.float64), strict=True):
         _draw(image, covered, corners, values)
@@ -43,7 +43,7 @@ def _draw(image, covered, corners, values):
 
 
 def _with_margin(image, covered, margin):
-    """Grow the covered texels `margin` times by the mean of covered neighbours."""
+    """Extend the covered region by one texel, `margin` times. A new texel is the mean of its covered neighbours."""
     for _ in range(margin):
         total, count = np.zeros_like(image), np.zeros_like(image)
         for dy in (-1, 0, 1):
@@ -58,7 +58,7 @@ def _with_margin(image, covered, margin):
 
 
 def _shifted(array, dy, dx):
-    """Shift by a texel, without wrapping."""
+    """Shift an image by `dy` and `dx` texels, each -1 to 1. The uncovered border becomes zero."""
     out = np.zeros_like(array)
     height, width = array.shape
     target = np.s_[max(dy, 0) : height + min(dy, 0), max(dx, 0) : width + min(dx, 0)]

@@ -13,7 +13,8 @@ from .material import detach_group, group_node, reattach_group
 from .rig import build_drivers, show_preview
 from .shading import build_nodes
 
-#: Maps of a layer: property, texture slot, and the slot's number as property and field.
+#: Maps of a layer. Each entry has four names: Blender property and JSON field of the image, then Blender property and
+#: JSON field of the number that scales the map.
 MAPS = (
     ("normal", "normalTexture", "normal_scale", "scale"),
     ("base_color", "baseColorTexture", None, None),
@@ -21,20 +22,25 @@ MAPS = (
     ("occlusion", "occlusionTexture", "occlusion_strength", "strength"),
     ("height", "heightTexture", "height_amplitude", "amplitude"),
     ("blood", "bloodTexture", "blood_amplitude", "amplitude"),
+    ("onset", "onsetTexture", "onset_strength", "strength"),
 )
 _SLOTS = [slot for _, slot, _, _ in MAPS]
 _loading = 0
 
 
 def new_group(name):
-    """Create a node group with an empty wrinkle set."""
+    """Create a wrinkle group: a node group with an empty wrinkle set."""
     tree = bpy.data.node_groups.new(name, "ShaderNodeTree")
     tree.furrow.is_wrinkles = True
     return tree
 
 
 def load_document(tree, document, image_of):
-    """Fill a wrinkle set from a checked document. `image_of`: function from texture index to ImageFile."""
+    """
+    Fill the wrinkle set of a group from a document that `read_document` has checked.
+
+    `image_of`: function that returns the ImageFile of a texture index. Raises FurrowError if an image is invalid.
+    """
     images = {}
 
     def image(info, is_data=True):
@@ -69,7 +75,7 @@ def load_document(tree, document, image_of):
 
 
 def _check_sizes(images):
-    """Check that maps of one kind have one size, because other engines put them into an array."""
+    """Check that maps of one kind have the same size, because game engines put them into one texture array."""
     sizes = {tuple(image.size) for image in images}
     if len(sizes) > 1:
         found = ", ".join(f"{width} x {height}" for width, height in sorted(sizes))
@@ -78,7 +84,7 @@ def _check_sizes(images):
 
 def document_of(tree):
     """
-    Return a wrinkle set's document and its list of ImageFile; texture indices refer to that list.
+    Return the document of a wrinkle group and its list of ImageFile. Texture indices are indices into this list.
 
     Raises FurrowError if an image is missing.
     """
@@ -124,7 +130,11 @@ def document_of(tree):
 
 
 def store_meshes(wrinkles, objects):
-    """Store the mesh objects used in shape corrections. `objects`: by name in the file."""
+    """
+    Store the objects of the meshes to which shape corrections refer.
+
+    `objects`: imported objects by their name in the file.
+    """
     for name in meshes_of(json.loads(wrinkles.other).get("shapes")):
         if name in objects:
             mesh = wrinkles.meshes.add()
@@ -132,13 +142,12 @@ def store_meshes(wrinkles, objects):
 
 
 def _mesh_names(wrinkles):
-    """Return new mesh names by old ones, for meshes whose object and data were renamed."""
+    """Return new names by old names, for meshes that were renamed in Blender."""
     objects = {mesh.name: mesh.object for mesh in wrinkles.meshes if mesh.object}
     return {old: item.data.name for old, item in objects.items() if old not in (item.name, item.data.name)}
 
 
 def materials_of(tree):
-    """List the materials with a wrinkle set."""
     found = []
     for material in bpy.data.materials:
         node = group_node(material)
@@ -148,10 +157,10 @@ def materials_of(tree):
 
 
 def rebuild(tree):
-    """Rebuild nodes, drivers and links after properties have changed."""
+    """Build the nodes and drivers of a wrinkle group again, after its properties have changed."""
     wrinkles = tree.furrow
     materials = materials_of(tree)
-    # Detaches first: removing a socket would also remove the links through it.
+    # Detaches the group first, because removing one of its sockets would also remove the links of the socket.
     for material in materials:
         detach_group(material)
     with _loading_properties():
@@ -165,7 +174,7 @@ def rebuild(tree):
 
 
 def is_loading():
-    """Whether a batch of properties is being set, without rebuilding after each."""
+    """Return whether `load_document` or `rebuild` is setting properties. Their update callbacks must not rebuild."""
     return _loading > 0
 
 
@@ -197,5 +206,5 @@ def _other_fields(item, *known):
 
 
 def _round_float(value):
-    """Round to the 7 digits of Blender's 32-bit floats."""
+    """Round to 7 significant digits, the precision of Blender's 32-bit floats."""
     return float(f"{value:.7g}")

@@ -1,7 +1,7 @@
 """
-Run the tests in blender/tests/blender, optionally only files that match a pattern.
+Run the tests in blender/tests/blender. A pattern on the command line selects files.
 
-Blender's output goes to a file. Its name is printed if a test fails.
+Blender's output is written to a file, whose name is printed if a test fails.
 """
 
 import os
@@ -13,7 +13,7 @@ from pathlib import Path
 HERE = Path(__file__).parent
 sys.path[:0] = [str(HERE.parent), str(HERE / "format"), str(HERE / "blender")]
 
-# Keeps the user's Blender settings out of the tests.
+# Uses a temporary folder for Blender's settings, so that the user's settings do not affect the tests.
 os.environ.setdefault("BLENDER_USER_RESOURCES", tempfile.mkdtemp(prefix="furrow-blender-"))
 
 import bpy  # noqa: E402, F401  Provides addon_utils.
@@ -28,5 +28,5 @@ if __name__ == "__main__":
     if not passed:
         report.write(f"Blender's output: {log}\n")
     report.flush()
-    # Skips Blender's exit handlers, which report unfreed memory.
+    # Exits without Blender's exit handlers, which would report unfreed memory.
     os._exit(0 if passed else 1)

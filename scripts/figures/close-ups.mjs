@@ -2,7 +2,7 @@ import { AGES, BEFORE } from './faces.mjs'
 
 export const both = (name, weight = 1) => ({ [`${name}Left`]: weight, [`${name}Right`]: weight })
 
-/** Rendered size, pixels; the figures show a crop. */
+/** Rendered size, pixels. The figures show a crop of size `SHOWN`. */
 const SIZE = { width: 1600, height: 1200 }
 const VIEWS = {
   profile: { yaw: 90, pitch: 2, zoom: 1.9 },
@@ -10,7 +10,7 @@ const VIEWS = {
 }
 const SHOWN = { width: 880, height: 1100 }
 
-/** Crop origins, pixels: `top` for all views, `left` by view. */
+/** Top left corner of the crop per face, pixels: `top` for all views, and `left` per view. */
 const FACES = {
   human: { top: 100, left: { profile: 60, 'three-quarter': 230 } },
   'human-2': { top: 100, left: { profile: 60, 'three-quarter': 230 } },
@@ -24,7 +24,10 @@ const EXPRESSIONS = [
   { ...both('mouthSmile', 0.9), ...both('cheekSquint', 0.8), ...both('eyeSquint', 0.3) },
 ]
 
-/** One row per expression: the earlier version at 70 years if given, then each age. */
+/**
+ * Returns the pictures of a face in one view, one row per expression. A row shows the face at each age. If there is an earlier
+ * version, its result at 70 years comes first.
+ */
 function closeUps(name, view) {
   const { mesh, top, left } = FACES[name]
   const columns = [
@@ -45,7 +48,6 @@ function closeUps(name, view) {
   )
 }
 
-/** Figures of `docs/realism.md`. */
 export const CLOSE_UPS = Object.fromEntries(
   Object.keys(FACES).flatMap((name) =>
     Object.keys(VIEWS).map((view) => [`skin/${name}-${view}`, closeUps(name, view)]),

@@ -1,4 +1,4 @@
-// The gallery's pictures: examples/pictures/NAME.jpg, and all of them on one sheet.
+// Takes the pictures of the examples, examples/pictures/NAME.jpg, and draws all of them on one sheet.
 
 import { mkdir } from 'node:fs/promises'
 import { join } from 'node:path'
@@ -9,19 +9,19 @@ import { ROOT, say } from '../lib/run.mjs'
 const FOLDER = 'examples/pictures'
 const SHEET = 'docs/figures/examples.jpg'
 const SIZE = { width: 480, height: 360 }
-/** Window size. Pictures show a part of it, scaled down. */
+/** Window size, pixels. A picture shows a part of the window, scaled down. */
 const VIEWPORT = { width: 1280, height: 960 }
-/** Columns of the sheet, and the width of each, pixels. */
+/** Number of columns on the sheet, and width of a column in pixels. */
 const COLUMNS = 6
 const COLUMN_WIDTH = 240
 const GAP = 6
 
 const names = new Set(exampleNames().map((name) => `examples/${name}`))
 
-/** Tells whether a figure's name selects all pictures or one. */
+/** Returns whether the name of a figure selects the picture of one example, or of all examples. */
 export const isExamplePicture = (name) => name === 'examples' || names.has(name)
 
-/** Takes the pictures of some examples, by default all. Then makes the sheet again. */
+/** Takes the pictures of the selected examples, or of all examples if none is selected. Then draws the sheet again. */
 export async function writeExamplePictures(selected) {
   const all = selected.length === 0 || selected.includes('examples')
   const { EXAMPLES, FACE } = await importSource('test/pages/examples.ts')
@@ -59,21 +59,21 @@ async function takePictures(examples) {
   }
 }
 
-/** Converts a part of the window from fractions to pixels. */
+/** Converts a rectangle from fractions of the window to pixels. */
 function pixelsOf({ left, top, right, bottom }) {
   const { width, height } = VIEWPORT
   const [x, y] = [Math.round(left * width), Math.round(top * height)]
   return { left: x, top: y, width: Math.round(right * width) - x, height: Math.round(bottom * height) - y }
 }
 
-/** Opens an example in the pose that its test checks, without the controls below the canvas. */
+/** Opens an example and plays the same expression as its test. Hides the controls below the canvas. */
 async function openSettled(page, { drawSettled, openPaused, playSurprise, SECOND }, url) {
-  // A WebGPU canvas cannot be captured without a GPU.
+  // Hides WebGPU from the page. Without a GPU, the browser cannot capture a WebGPU canvas.
   await page.addInitScript('Object.defineProperty(Navigator.prototype, "gpu", { value: undefined })')
   await openPaused(page, url)
   await page.addStyleTag({ content: 'form { display: none !important }' })
   await page.evaluate('dispatchEvent(new Event("resize"))')
-  // Waits for automatic wrinkles and loading screens in real time.
+  // Waits until automatic wrinkles and loading screens are done. They take real time, although the clock of the page is paused.
   while ((await page.locator('progress').count()) > 0) {
     await page.clock.runFor(SECOND / 60)
     await page.waitForTimeout(SECOND / 10)

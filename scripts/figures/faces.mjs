@@ -4,29 +4,30 @@ import { promisify } from 'node:util'
 import { ROOT } from '../lib/run.mjs'
 
 export const FACE = join(ROOT, 'faces/human.glb')
-/** A scanned face outside the repository; its figures are skipped without it. */
+/** A scanned face outside the repository. Its figures are skipped if it is missing. */
 export const SCAN = join(ROOT, '../shared/real-face/ict-face.glb')
 
-/** Faces that get automatic wrinkles, relative to a checkout. */
+/** Faces that get automatic wrinkles. Paths are relative to the root of a checkout. */
 const SOURCES = { human: 'faces/human.glb', 'human-2': 'faces/human-2.glb', scan: SCAN }
 
-/** Ages of automatic wrinkles, years. */
+/** Ages of the automatic wrinkles, years. */
 export const AGES = [30, 50, 70]
 
-/** A built checkout of an earlier version, for comparison. */
+/** Checkout of an earlier version, already built, for comparison. */
 export const BEFORE = process.env.FURROW_BEFORE && resolve(process.env.FURROW_BEFORE)
 
-/** Base colour factors, linear sRGB. */
+/** For each skin colour, the factors on the base colour map, linear sRGB. */
 export const SKINS = { light: [1, 1, 1], medium: [0.62, 0.55, 0.48], dark: [0.18, 0.15, 0.13] }
-/** The shipped face with automatic wrinkles, cached. */
+/** Path of `FACE` with automatic wrinkles, once it has been written. */
 let wrinkled
 
-/** Functions that write the faces of figures. */
+/** For each face, a function that writes the face to a file. */
 export const FACES = {
   images: (file) => pack(file),
   arrays: (file) => pack(file, '--ktx2'),
   lossless: (file) => compress(file, true),
   lossy: (file) => compress(file, false),
+  guide: (file) => auto(FACE, file),
   furrows: (file) => auto(FACE, file, 70, '--furrows', '--size', '2048'),
   ...Object.fromEntries(
     Object.entries(SKINS).flatMap(([name, factor]) => [
@@ -50,18 +51,23 @@ async function pack(file, ...options) {
 
 async function auto(face, file, age, ...options) {
   const { autoCommand } = await import('../../packages/cli/dist/commands/auto.js')
-  const args = [face, '-o', file, '--age', String(age), '--replace', ...options]
+  const ageOption = age === undefined ? [] : ['--age', String(age)]
+  const args = [face, '-o', file, ...ageOption, '--replace', ...options]
   await autoCommand.parseAsync(args, { from: 'user' })
 }
 
-/** Makes wrinkles for the greatest age with the earlier version. */
+/** Generates wrinkles with the earlier version, for the greatest age. */
 async function autoBefore(face, file) {
   const command = join(BEFORE, 'packages/cli/dist/main.js')
   const options = ['-o', file, '--age', String(Math.max(...AGES)), '--replace']
   await promisify(execFile)(process.execPath, [command, 'auto', face, ...options])
 }
 
-/** @param isPale whether expressions leave the blood unchanged. */
+/**
+ * Writes the face with another skin colour.
+ *
+ * @param isPale whether expressions leave the blood unchanged.
+ */
 async function tint(file, factor, isPale) {
   const { transformFile } = await import('../lib/transform.mjs')
   if (!wrinkled) {

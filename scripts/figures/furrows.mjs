@@ -1,12 +1,15 @@
 import { both } from './close-ups.mjs'
 
 const SIZE = { width: 1600, height: 1200 }
-/** Crop at full resolution: 55 pixels per degree, about what an eye resolves at that distance. */
+/**
+ * Size of the crop at full resolution, pixels. At the nearest distance, one degree of the view covers 55 pixels, which
+ * is about the resolution of the human eye.
+ */
 const SHOWN = { width: 270, height: 250 }
 
 /**
- * Camera distances of 40 cm (the cheek below the left eye), 1 m (a quarter of the face) and 3 m (the head), and crop origins.
- * The head fills the frame at 82 cm.
+ * Cameras and the top left corners of their crops. The distances are 40 cm (shows the cheek below the left eye), 1 m (a
+ * quarter of the face) and 3 m (the head). At `zoom` 1 the distance is 82 cm, and the head fills the frame.
  */
 const DISTANCES = [
   { zoom: 2.05, left: 620, top: 590 },
@@ -14,14 +17,16 @@ const DISTANCES = [
   { zoom: 0.268, left: 668, top: 444 },
 ]
 
-/** At rest; with the skin around the eye compressed; with the same skin and the cheek stretched. */
+/**
+ * Three poses: at rest, with compressed skin around the eye, and with stretched skin around the eye and on the cheek.
+ */
 const POSES = [
   {},
   { ...both('cheekSquint', 0.9), ...both('eyeSquint', 0.4), ...both('mouthSmile', 0.7) },
   { browInnerUp: 0.8, ...both('browOuterUp'), ...both('eyeWide', 0.5), jawOpen: 0.9 },
 ]
 
-/** Fine furrows: one row per pose, one column per distance. */
+/** Pictures of fine skin furrows, one row per pose and one column per distance. */
 export const FURROWS = POSES.flatMap((targets) =>
   DISTANCES.map(({ zoom, left, top }, i) => ({
     ...SIZE,

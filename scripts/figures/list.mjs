@@ -1,11 +1,13 @@
-/** Contents of the README's and the docs' figures. Figures 8, 9 and 10 are numbered as in the paper. */
+/**
+ * Lists the pictures of all figures in the README and the docs. Figures 8, 9 and 10 have their numbers from the paper
+ * (Reis, De Martino and Batagelo 2008).
+ */
 
 import { both, CLOSE_UPS } from './close-ups.mjs'
 import { AGES, SKINS } from './faces.mjs'
 import { FURROWS } from './furrows.mjs'
 import { MOVING, movingPictures } from './moving.mjs'
 
-/** Crops in which the face fills the frame. */
 const PORTRAIT = { width: 900, height: 1050, crop: { left: 180, top: 50, width: 540, height: 720 } }
 const EYE = {
   width: 1600,
@@ -23,18 +25,19 @@ const BROW = {
 }
 const FOREHEAD = { ...PORTRAIT, expression: 'surprised', crop: { ...PORTRAIT.crop, height: 480 } }
 
-/** Crop of example pages. */
 const PAGE = { width: 720, height: 900, crop: { left: 135, top: 20, width: 450, height: 540 } }
-/** The inspector's panel on the right, beside a face. */
+/** Crop with a face on the left and the panel of the inspector on the right. */
 const PANEL = { width: 900, height: 720, crop: { left: 220, top: 0, width: 680, height: 600 }, scale: 0.8 }
-/** Uses WebGL 2: a WebGPU canvas cannot be captured without a GPU. */
+/**
+ * Crop of the cheeks in examples/normals.html. The page must use WebGL 2: without a GPU, the browser cannot capture a
+ * WebGPU canvas.
+ */
 const CHEEKS = { width: 1100, height: 1300, crop: { left: 300, top: 400, width: 500, height: 500 } }
 const HAND = { width: 900, height: 900, crop: { left: 190, top: 130, width: 490, height: 660 } }
 const FIST = { width: 1300, height: 1300, crop: { left: 440, top: 540, width: 460, height: 420 } }
 const NECK = { width: 900, height: 900, crop: { left: 270, top: 130, width: 450, height: 660 } }
 const BASIC_EXPRESSIONS = ['neutral', 'happiness', 'surprise', 'anger', 'sadness', 'fear', 'disgust']
 
-/** Poses that show automatic wrinkles. */
 const POSES = [
   { browInnerUp: 1, ...both('browOuterUp'), ...both('eyeWide', 0.8), jawOpen: 0.25 },
   { ...both('browDown'), ...both('eyeSquint', 0.3), ...both('mouthPress', 0.4) },
@@ -45,7 +48,7 @@ const POSES = [
   { browOuterUpLeft: 1, browInnerUp: 0.2 },
   { mouthSmileRight: 1, cheekSquintRight: 0.8 },
 ]
-/** One row without wrinkles, and one per age. */
+/** Returns the pictures of a face: one row without wrinkles, then one row per age. */
 const agesOf = (name, picture) =>
   [undefined, ...AGES].flatMap((age) =>
     POSES.map((targets, i) => ({
@@ -63,7 +66,7 @@ const FLUSHES = [
   { ...both('noseSneer'), ...both('browDown', 0.8) },
 ]
 
-/** One row per skin: each expression without and with blood. */
+/** Returns one row per skin colour. Each row shows each expression without and with blood. */
 const bloodOfSkins = () =>
   Object.keys(SKINS).flatMap((skin) =>
     FLUSHES.flatMap((targets, i) =>
@@ -77,10 +80,11 @@ const bloodOfSkins = () =>
   )
 
 /**
- * Pictures of each figure, row by row; `beginsRow` starts a row. A picture is a render request or an example page, with its crop and
- * scale. `face` names one of `FACES`; default: the shipped face.
+ * Pictures of each figure, row by row. `beginsRow` starts a row. A picture is a request to `renderPictures`, or names the
+ * `page` of an example. Both kinds of pictures can have a crop and a scale. `face` names one of `FACES`. Default: faces/human.glb.
  */
 export const FIGURES = {
+  guide: ['neutral', 'happy'].map((expression) => ({ ...PORTRAIT, face: 'guide', expression, scale: 0.6 })),
   'figure-8': [
     { ...PORTRAIT, expression: 'neutral' },
     { ...PORTRAIT, expression: 'surprised' },
@@ -136,10 +140,10 @@ export const FIGURES = {
   [MOVING]: movingPictures(),
 }
 
-/** File formats, default PNG. Figures with many faces are smaller as JPEG. */
+/** File format per figure. Default: PNG. Figures with many faces are smaller as JPEG. */
 export const FORMATS = {
   ...Object.fromEntries(
-    ['auto-human', 'auto-scan', 'blood', 'inspector', 'skin/furrows', ...Object.keys(CLOSE_UPS)].map(
+    ['guide', 'auto-human', 'auto-scan', 'blood', 'inspector', 'skin/furrows', ...Object.keys(CLOSE_UPS)].map(
       (name) => [name, 'jpg'],
     ),
   ),

@@ -1,6 +1,6 @@
 import { both } from './close-ups.mjs'
 
-/** The animation at the top of the README. */
+/** Name of the animation at the top of the README. */
 export const MOVING = 'expressions'
 
 const FRAME = {
@@ -14,12 +14,12 @@ const EXPRESSIONS = [
   { ...both('browDown'), ...both('noseSneer', 0.8), ...both('eyeSquint', 0.4), ...both('mouthUpperUp', 0.2) },
   { ...both('mouthSmile', 0.9), ...both('cheekSquint', 0.8), ...both('eyeSquint', 0.3), jawOpen: 0.05 },
 ]
-/** Number of pictures per expression, from rest to full. */
+/** Number of pictures per expression, from the neutral face to the full expression. */
 const STEPS = 8
-/** Frame durations, milliseconds. */
+/** Durations of the frames, milliseconds. */
 const DELAY = { moving: 60, full: 900, rest: 400 }
 
-/** Lists all pictures without wrinkles, then all with wrinkles. */
+/** Returns all pictures without wrinkles, then all pictures with wrinkles. */
 export function movingPictures() {
   const poses = EXPRESSIONS.flatMap((targets) =>
     Array.from({ length: STEPS }, (_, i) => scaled(targets, ease((i + 1) / STEPS))),
@@ -31,7 +31,10 @@ export function movingPictures() {
   ]
 }
 
-/** Lists the animation's frames: indices of the pictures side by side, and durations in milliseconds. */
+/**
+ * Returns the frames of the animation. Each has the indices of two pictures that it shows side by side, and its
+ * duration in milliseconds.
+ */
 export function movingFrames() {
   const count = 1 + EXPRESSIONS.length * STEPS
   const frame = (picture, delay) => ({ pictures: [picture, picture + count], delay })

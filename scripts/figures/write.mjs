@@ -2,9 +2,9 @@ import { mkdir, rename } from 'node:fs/promises'
 import { dirname } from 'node:path'
 
 /** Gap between pictures, pixels. */
-const GAP = 8
+export const GAP = 8
 
-/** Writes rows of equally sized pictures. Gaps are transparent, or white in JPEG. */
+/** Writes rows of pictures of equal size to an image file. Gaps are transparent, or white in JPEG. */
 export async function writeSheet(pictures, file) {
   const image = await arrange(pictures)
   await write(
@@ -15,7 +15,9 @@ export async function writeSheet(pictures, file) {
   )
 }
 
-/** Writes an endlessly looping animated WebP. Each frame shows some of the pictures side by side. */
+/**
+ * Writes an animated WebP that repeats forever. `frames` selects the pictures that each frame shows side by side.
+ */
 export async function writeMoving(pictures, frames, file) {
   const { default: sharp } = await import('sharp')
   const drawn = new Map()

@@ -6,6 +6,5 @@ export interface Measured {
   studio: boolean
 }
 
-/** Formats the table's lines. */
 export function browserTable(measured: Record<string, Measured>): string[]
 export function readMeasured(): Record<string, Measured>

@@ -1,4 +1,4 @@
-// The table of browsers in README.md.
+// Reads and writes the table of browsers in README.md.
 
 import { readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
@@ -9,7 +9,7 @@ const MEASURED = join(ROOT, 'docs', 'browsers.json')
 
 const TITLES = { chromium: 'Chromium', firefox: 'Firefox ESR', webkit: 'WebKitGTK' }
 
-/** Column titles by capability, with the cell text when it is missing. */
+/** Column title per capability, and the text of a cell if a browser lacks the capability. */
 const COLUMNS = {
   webgl2: ['WebGL 2', 'no: faces are not drawn'],
   webgpu: ['WebGPU', 'no: `WebGPURenderer` draws with WebGL 2'],
@@ -18,9 +18,9 @@ const COLUMNS = {
 }
 
 /**
- * Reads the capabilities of each browser.
+ * Returns the version and capabilities of each browser.
  *
- * @param report Vitest's JSON report of `test/browsers/capabilities.test.ts`.
+ * @param report JSON report of Vitest for `test/browsers/capabilities.test.ts`.
  */
 export function readReport(report) {
   const tests = report.testResults.flatMap((file) => file.assertionResults)
@@ -34,7 +34,6 @@ export function readReport(report) {
   )
 }
 
-/** Formats the table's lines. */
 export function browserTable(measured) {
   const columns = Object.values(COLUMNS)
   const rows = Object.entries(measured).map(([name, found]) => {
@@ -50,7 +49,7 @@ export function browserTable(measured) {
 
 export const readMeasured = () => JSON.parse(readFileSync(MEASURED, 'utf8'))
 
-/** Stores the measurements and updates the table in the README. */
+/** Stores the capabilities in docs/browsers.json, and updates the table in README.md. */
 export function writeBrowsers(measured) {
   writeFileSync(MEASURED, `${JSON.stringify(measured, null, 2)}\n`)
   writeTable('README.md', 'browsers', browserTable(measured))

@@ -2,16 +2,17 @@ import { existsSync } from 'node:fs'
 import { must, run, say } from './run.mjs'
 
 /**
- * Finds a Chromium-based browser. If none is installed, installs Debian's as root, otherwise Playwright's. Call `setUp` first.
+ * Finds a Chromium-based browser. If there is none, installs one: Debian's package if the user is root, otherwise the
+ * browser of Playwright. Call `setUp` first.
  *
- * @returns {Promise<string>} its path.
+ * @returns {Promise<string>} path of the browser.
  */
 export async function ensureBrowser() {
   const { findBrowser } = await import('../../packages/cli/dist/browser.js')
   try {
     return await findBrowser()
   } catch (error) {
-    // The user has to fix an invalid FURROW_CHROMIUM.
+    // FURROW_CHROMIUM is invalid. The user has to correct it.
     if (process.env.FURROW_CHROMIUM) throw error
   }
   if (process.getuid?.() === 0 && existsSync('/usr/bin/apt-get') && (await installByApt(findBrowser))) {
@@ -22,7 +23,10 @@ export async function ensureBrowser() {
   return findBrowser()
 }
 
-/** Installs Debian's browser. Returns false if that fails: some derivatives' `chromium` package is not the browser. */
+/**
+ * Installs the browser of Debian. Returns false if that fails. On some systems derived from Debian, the package
+ * `chromium` does not contain the browser.
+ */
 async function installByApt(findBrowser) {
   say("installing Debian's chromium (apt-get)")
   const env = { ...process.env, DEBIAN_FRONTEND: 'noninteractive' }
@@ -36,7 +40,10 @@ async function installByApt(findBrowser) {
   }
 }
 
-/** Returns the names of the browser's GPUs by API, null for a missing API. */
+/**
+ * Returns the name of the GPU that the browser uses for WebGL 2 and for WebGPU. The name is null if the browser lacks
+ * the API.
+ */
 export async function readAdapters() {
   const { launchBrowser, newPage } = await import('../../packages/cli/dist/browser.js')
   const { startLocalServer } = await import('../../packages/cli/dist/render/local-server.js')
@@ -44,7 +51,7 @@ export async function readAdapters() {
   const browser = await launchBrowser()
   try {
     const page = await newPage(browser)
-    // WebGPU needs a secure origin; localhost is one.
+    // Pages have WebGPU only on a secure origin, such as localhost.
     await page.goto(`${server.origin}/page/index.html`)
     return await page.evaluate(adaptersOfPage)
   } finally {

@@ -4,9 +4,9 @@ import { ROOT } from './run.mjs'
 import { SOURCES } from './sources.mjs'
 
 /**
- * Bundles a TypeScript file with the sources of the workspace's packages, for Node.
+ * Bundles a TypeScript file for Node. Packages of the workspace are bundled from their sources.
  *
- * @param {string} entry path relative to the repository's root.
+ * @param {string} entry path of the file, relative to the root of the repository.
  * @returns {Promise<string>} path of the bundle.
  */
 export async function bundle(entry) {

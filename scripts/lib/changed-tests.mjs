@@ -4,22 +4,20 @@ import { dirname, join, relative, resolve } from 'node:path'
 import { ROOT } from './run.mjs'
 import { SOURCES } from './sources.mjs'
 
-/** Number of recent commits to compare with on the main branch. */
+/** Number of last commits whose files count as changed on the main branch. */
 const COMMITS = 20
 
-/** Folders of tests that run builds or served pages, so their imports do not show their dependencies. */
+/**
+ * Folders of tests that run built packages or pages. The imports of such a test do not include all files on which it depends.
+ */
 const RUN_BUILDS = ['pages', 'packages', 'batch', 'site']
 
-/** Files that are not part of builds. */
+/** Files that are not part of any build. */
 const NOT_BUILT = /^(test|docs|bench|blender|conformance|\.github|\.ci)\/|\.md$/
 
 /**
- * Sorts tests that import recently changed files before all others. Each commit starts both groups elsewhere, so that every test
- * runs now and then even if time is limited.
- *
- * @template {{ file: string }} T
- * @param {T[]} tests
- * @returns {T[]}
+ * Sorts tests into two groups: first the tests that import recently changed files, then all others. Each commit starts
+ * both groups at a different test. Over many commits, every test runs, even if the time for each commit is limited.
  */
 export function changedFirst(tests) {
   const changed = changedFiles()
@@ -28,14 +26,14 @@ export function changedFirst(tests) {
   return [...rotated.filter(isChanged), ...rotated.filter((test) => !isChanged(test))]
 }
 
-/** Visits the list in strides, which separates neighbours. The number selects the first element. */
+/** Moves neighbours in a list far apart. `number` selects the first element. */
 function rotate(list, number) {
-  // A prime stride visits every element unless it divides the length.
+  // A step of 61 or 59, both primes, visits every element if it does not divide the length of the list.
   const stride = list.length % 61 === 0 ? 59 : 61
   return list.map((_, i) => list[((number + i) * stride) % list.length])
 }
 
-/** Returns a predicate for tests that import a changed file, directly or indirectly. */
+/** Returns a function that tells whether a test imports a changed file, directly or indirectly. */
 function testsImporting(changed) {
   const importsOfTest = importCollector()
   const isBuildChanged = changed.some((file) => !NOT_BUILT.test(file))
@@ -46,7 +44,7 @@ function testsImporting(changed) {
   }
 }
 
-/** Returns a function that collects a file and its direct and indirect imports. */
+/** Returns a function that finds a file's direct and indirect imports. The result includes the file. */
 function importCollector() {
   const imports = new Map()
   return (start) => {
@@ -65,7 +63,7 @@ const EXPORTS = new Map([
   ...Object.entries(SOURCES.resolve.alias).map(([name, path]) => [name, relative(ROOT, path)]),
 ])
 
-/** Lists a package's entry points, such as `furrow/three`, with their sources. */
+/** Returns the entry points of a package, such as `furrow/three`, with the paths of their sources. */
 function exportsOf(folder) {
   const { name, exports = {} } = JSON.parse(
     readFileSync(join(ROOT, 'packages', folder, 'package.json'), 'utf8'),
@@ -76,7 +74,10 @@ function exportsOf(folder) {
   })
 }
 
-/** Lists the repository's files that a file names in quotes, by specifier or relative path. */
+/**
+ * Returns the repository's files that one file imports or names in quotes. The names are relative paths or entry points
+ * of packages.
+ */
 function importsOf(file) {
   if (!/\.(ts|tsx|mjs|mts|js|html)$/.test(file)) return []
   const text = readFileSync(join(ROOT, file), 'utf8')
@@ -89,16 +90,22 @@ function importsOf(file) {
   })
 }
 
-/** Lists files changed on this branch, or by the last commits on the main branch. */
+/**
+ * Returns the files that this branch has changed. On the main branch, returns the files that the last `COMMITS` commits
+ * have changed.
+ */
 function changedFiles() {
   const head = git('rev-parse', 'HEAD')
   const base = git('merge-base', 'HEAD', 'origin/main')
   const start = base && base !== head ? base : git('rev-parse', '--verify', '--quiet', `HEAD~${COMMITS}`)
-  // In a shallow clone every file counts as changed.
+  // A shallow clone lacks these commits, so every file counts as changed.
   return start ? git('diff', '--name-only', start).split('\n') : git('ls-files').split('\n')
 }
 
-/** Returns the number of commits, or a number derived from the hash in a shallow clone. */
+/**
+ * Returns the number of commits. In a shallow clone, git does not know this number. There, the result is derived from
+ * the hash.
+ */
 function commitNumber() {
   const isShallow = git('rev-parse', '--is-shallow-repository') === 'true'
   return isShallow
@@ -106,7 +113,7 @@ function commitNumber() {
     : Number(git('rev-list', '--count', 'HEAD'))
 }
 
-/** Returns git's output, empty if git fails. */
+/** Returns the output of git, or an empty text if git fails. */
 function git(...words) {
   return spawnSync('git', words, { cwd: ROOT, encoding: 'utf8' }).stdout.trim()
 }

@@ -1,14 +1,13 @@
-/** Maximum number of characters in a subject. */
 const MAX_SUBJECT_LENGTH = 72
 
-/** Subjects that git writes. */
+/** Beginnings of subjects that git generates. */
 const BY_GIT = /^(Merge|Revert|fixup!|squash!|amend!) /
 
 /**
  * Finds a problem in the subject of a commit.
  *
- * @param {string} message whole message, also with git's `#` lines.
- * @returns {string | undefined}
+ * @param {string} message whole message. Lines that begin with `#` are ignored, as in git.
+ * @returns {string | undefined} error text, or undefined.
  */
 export function subjectProblem(message) {
   const [subject = '', second = ''] = message.split('\n').filter((line) => !line.startsWith('#'))

@@ -1,14 +1,14 @@
-// The table of docs/conformance.md: results by engine.
+// Reads and writes the results per engine in the table of docs/conformance.md.
 
 import { writeTable } from './marked-table.mjs'
 
-/** Test suites named after their engine, with one test per sample. */
+/** Title of a test suite. The suite is named after an engine and has one test per sample. */
 const SUITE = /conformance of (.+)$/
 
 /**
- * Reads whether each engine passed each sample.
+ * Returns per engine and sample whether the engine passed.
  *
- * @param report Vitest's JSON report.
+ * @param report JSON report of Vitest.
  * @returns {Map<string, Map<string, boolean>>} results by engine and sample.
  */
 export function resultsOf(report) {
@@ -24,7 +24,10 @@ export function resultsOf(report) {
   return engines
 }
 
-/** Updates the table in the page. A missing result means that the engine lacks a feature that the sample needs. */
+/**
+ * Updates the table in docs/conformance.md. If a sample has no result for an engine, the engine lacks a feature that
+ * the sample needs.
+ */
 export function writeConformance(samples, engines) {
   const rows = [...engines].map(([engine, results]) => {
     const withResult = (value) =>

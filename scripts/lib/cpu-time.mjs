@@ -1,18 +1,22 @@
 import { readdirSync, readFileSync } from 'node:fs'
 
-/** Sampling interval, milliseconds. Linux adds a process's remaining time to its parent when it exits. */
+/**
+ * Interval between samples, milliseconds. A short interval is not needed, because Linux adds the time of an ended
+ * process to its parent.
+ */
 const INTERVAL = 500
-/** Clock ticks per second of /proc on Linux. */
+/** Number of clock ticks per second in /proc. */
 const TICKS = 100
 
 /**
- * Samples the processor time of all processes. Only Linux is supported.
+ * Samples the processor time of all processes. Works only on Linux.
  *
- * @returns `seconds(id)`: processor time of a process and its descendants, undefined on other systems; `sample()`: updates now.
+ * @returns `seconds(id)` returns the processor time of a process and its descendants, or undefined on other systems.
+ *   `sample()` takes a sample now.
  */
 export function watchCpuTime() {
   if (process.platform !== 'linux') return { seconds: () => undefined, sample() {} }
-  /** Running and ended processes by id. Times in ticks; `waited` is the time of ended children. */
+  /** Running and ended processes by id. Times are in ticks. `waited` is the time of ended children. */
   const seen = new Map()
   const sample = () => {
     for (const entry of seen.values()) entry.isAlive = false
@@ -20,10 +24,10 @@ export function watchCpuTime() {
   }
   const readProcess = (id) => {
     try {
-      // The process name is in brackets and may have spaces.
+      // The name of the process is in brackets and may contain spaces.
       const words = readFileSync(`/proc/${id}/stat`, 'utf8').split(') ').at(-1).split(' ').map(Number)
       const [user, system, waitedUser, waitedSystem] = words.slice(11, 15)
-      // Orphans stay with their first parent.
+      // A process whose parent ends gets another parent. Its time still counts for the first parent.
       const parent = seen.get(id)?.parent ?? words[1]
       seen.set(id, { parent, own: user + system, waited: waitedUser + waitedSystem, isAlive: true })
     } catch {

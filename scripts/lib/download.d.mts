@@ -15,5 +15,4 @@ export function compare(sizes: Record<string, Size>, figures: Record<string, Siz
 export function writeFigures(rows: readonly Row[]): void
 export function warnings(rows: readonly Row[]): string[]
 export function readFigures(): Record<string, Size>
-/** Formats the table of sizes, in kB. */
 export function sizeTable(figures: Record<string, Size>): string[]

@@ -6,15 +6,18 @@ import { ROOT } from './run.mjs'
 
 const FIGURES = join(ROOT, 'bench/sizes.json')
 
-/** Relative growth without a warning. */
+/** Largest relative growth without a warning. */
 const ALLOWED = 0.02
 
-/** Measures the bytes of each page and its lazy chunks, and compares them with the repository's figures. */
+/**
+ * Measures the download of each page and of the chunks that it loads on demand. Compares the sizes with
+ * bench/sizes.json.
+ */
 export async function compareDownload() {
   return compare(await measureSizes(), readFigures())
 }
 
-/** Pairs each size with its figure. A size without a figure has not grown. */
+/** Pairs each measured size with the stored size. A size that is not stored counts as not grown. */
 export function compare(sizes, figures) {
   return Object.entries(sizes).map(([name, size]) => {
     const figure = figures[name]
@@ -22,7 +25,7 @@ export function compare(sizes, figures) {
   })
 }
 
-/** Stores the sizes as figures, and updates the table of docs/download.md. */
+/** Stores the measured sizes in bench/sizes.json, and updates the table of docs/download.md. */
 export function writeFigures(rows) {
   const figures = Object.fromEntries(rows.map(({ name, size }) => [name, size]))
   writeFileSync(FIGURES, `${JSON.stringify(figures, null, 2)}\n`)
@@ -31,7 +34,6 @@ export function writeFigures(rows) {
 
 export const readFigures = () => JSON.parse(readFileSync(FIGURES, 'utf8'))
 
-/** Formats the table of sizes, in kB. */
 export function sizeTable(figures) {
   const rows = Object.entries(figures).map(([name, { gzip, brotli }]) => {
     const cells = [gzip, brotli].map((bytes) => (bytes / 1000).toFixed(1))
@@ -40,7 +42,6 @@ export function sizeTable(figures) {
   return ['| | gzip | Brotli |', '| --- | --- | --- |', ...rows]
 }
 
-/** Returns one warning per size that has grown. */
 export function warnings(rows) {
   return rows
     .filter(({ hasGrown }) => hasGrown)

@@ -1,4 +1,4 @@
-/** Drops files and folders on a page through the DevTools protocol. */
+/** Drops files and folders on a page, as if a user dragged them there. Uses the DevTools protocol. */
 export async function dropPaths(page, files) {
   const session = await page.context().newCDPSession(page)
   const data = { items: [], files, dragOperationsMask: 1 }

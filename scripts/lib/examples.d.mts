@@ -1,4 +1,3 @@
-/** An example's page and its description. */
 export interface ExamplePage {
   name: string
   source: string

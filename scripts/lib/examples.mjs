@@ -2,10 +2,10 @@ import { readdirSync, readFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { ROOT } from './run.mjs'
 
-/** Groups of the gallery, in order. */
+/** Groups of examples, in the order of the gallery. */
 export const GROUPS = ['Start', 'Motion', 'Skin', 'Materials', 'Engines and frameworks', 'Scale', 'Tools']
 
-/** Names of the examples, sorted: `minimal` is examples/minimal.html. */
+/** Returns the sorted names of the examples. The example `minimal` is the file examples/minimal.html. */
 export function exampleNames() {
   return readdirSync(join(ROOT, 'examples'))
     .filter((name) => name.endsWith('.html'))
@@ -14,10 +14,10 @@ export function exampleNames() {
 }
 
 /**
- * Reads an example's page.
+ * Reads the page of an example.
  *
- * @returns {{ name: string, source: string, title: string, description: string, keywords: string, group: string }} `title` without
- *   `Furrow: `; `keywords` separated by commas. Missing ones are empty.
+ * @returns {{ name: string, source: string, title: string, description: string, keywords: string, group: string }}
+ *   `title` does not contain `Furrow: `. `keywords` are separated by commas. A missing property is an empty text.
  */
 export function readExample(name) {
   const source = readFileSync(join(ROOT, 'examples', `${name}.html`), 'utf8')
@@ -32,7 +32,7 @@ export function readExample(name) {
   }
 }
 
-/** Reads all examples, in the gallery's order: by group, then by name. */
+/** Reads all examples in the order of the gallery: by group, then by name. */
 export function readExamples() {
   const examples = exampleNames().map(readExample)
   return GROUPS.flatMap((group) => examples.filter((example) => example.group === group))

@@ -3,7 +3,9 @@ import { runnerImport } from 'vite'
 import { ROOT } from './run.mjs'
 import { SOURCES } from './sources.mjs'
 
-/** Imports a TypeScript file of the repository with the sources of the workspace's packages. */
+/**
+ * Imports a TypeScript file of the repository. Packages of the workspace resolve to their sources, not to their builds.
+ */
 export async function importSource(path) {
   const { module } = await runnerImport(join(ROOT, path), {
     ...SOURCES,

@@ -3,14 +3,15 @@ import { dirname, join, relative, resolve, sep } from 'node:path'
 import { parseSync, Visitor } from 'vite'
 import { Failure, ROOT } from './run.mjs'
 
-/** Build outputs and installed packages. */
+/** Folders with build outputs and installed packages. */
 const SKIPPED = /(^|\/)(node_modules|dist|cache|\.venv[^/]*)$|^site\/pages$/
 
 /**
- * Reads the imports of all code files in some folders, including type imports.
+ * Returns the imports of all code files in some folders, including type imports.
  *
- * @param {string[]} folders paths relative to the repository's root.
- * @returns {{ path: string, imports: string[] }[]} paths relative to the repository's root; packages by specifier.
+ * @param {string[]} folders paths relative to the root of the repository.
+ * @returns {{ path: string, imports: string[] }[]} files and their imports. Paths are relative to the root. Imports of
+ *   packages are specifiers.
  */
 export function readImports(folders) {
   return folders.flatMap(codeIn).map((path) => ({ path, imports: importsOf(path) }))
@@ -33,9 +34,9 @@ function importsOf(path) {
 }
 
 /**
- * Reads the imports of a module, including type imports.
+ * Returns the imports of a module, including type imports.
  *
- * @param {string} name file name; its extension selects the language.
+ * @param {string} name file name. Its extension selects the language.
  * @param {string} text
  * @returns {{ specifier: string, isDynamic: boolean }[]}
  */

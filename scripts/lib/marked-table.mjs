@@ -2,12 +2,16 @@ import { readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { ROOT } from './run.mjs'
 
-/** Reads the lines of a generated table between the comments `NAME` and `end of NAME`. The page is relative to the repository's root. */
+/**
+ * Returns the lines of a generated table in a page. The table is between the comments `NAME` and `end of NAME`.
+ *
+ * @param page path relative to the root of the repository.
+ */
 export function readTable(page, name) {
   return partsOf(page, name)[1].trim().split('\n')
 }
 
-/** Replaces the lines of a generated table. */
+/** Replaces the lines of a generated table, see `readTable`. */
 export function writeTable(page, name, lines) {
   const [before, , after] = partsOf(page, name)
   const [begin, end] = marksOf(name)

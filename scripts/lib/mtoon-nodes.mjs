@@ -1,16 +1,15 @@
 // Adapts `@pixiv/three-vrm/nodes` to three.js r187, which removed `transformedNormalView`, an alias of `normalView`
-// (https://github.com/mrdoob/three.js/pull/34517). docs/vrm.md explains the same for pages.
+// (https://github.com/mrdoob/three.js/pull/34517). docs/vrm.md describes the same change for users.
 
-/** Names in three-vrm 3.5 and their replacements in three.js. */
+/** Names that three-vrm 3.5 uses, and their replacements in three.js. */
 const NAMES = [
   ['transformedNormalView', 'normalView'],
-  // Extending TempNode warns.
+  // three.js prints a warning if a class extends TempNode.
   ['THREE2.TempNode', 'THREE2.Node'],
-  // Only used before r168; bundlers warn that it is missing.
+  // three-vrm uses `tslFn` only with three.js before r168. Bundlers warn that later releases lack it.
   ['THREE_WEBGPU.tslFn', 'THREE_TSL.Fn'],
 ]
 
-/** Vite plugin that replaces these names. */
 export function mtoonNodes() {
   return {
     name: 'mtoon-nodes',

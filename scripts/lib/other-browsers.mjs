@@ -3,16 +3,16 @@ import { delimiter, join } from 'node:path'
 
 const LIBRARIES = `/usr/lib/${process.arch === 'arm64' ? 'aarch64' : 'x86_64'}-linux-gnu`
 
-/** The browser that ships with WebKitGTK. */
+/** Path of the browser that WebKitGTK includes. */
 export const MINI_BROWSER = `${LIBRARIES}/webkit2gtk-4.1/MiniBrowser`
 
-/** Programs that tests in each browser need, with the Debian package of each. */
+/** Programs that the tests in each browser need, with the Debian package of each program. */
 export const PROGRAMS = {
   firefox: { 'firefox-esr': 'firefox-esr', Xvfb: 'xvfb' },
   webkit: { WebKitWebDriver: 'webkit2gtk-driver', [MINI_BROWSER]: 'libwebkit2gtk-4.1-0', Xvfb: 'xvfb' },
 }
 
-/** Lists the missing Debian packages for tests in `firefox` or `webkit`. */
+/** Returns the Debian packages that are missing for tests in `firefox` or `webkit`. */
 export function missingPackages(browser) {
   const missing = Object.entries(PROGRAMS[browser]).filter(([program]) => !isExecutable(program))
   return missing.map(([, name]) => name)

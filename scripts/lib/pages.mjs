@@ -1,13 +1,13 @@
 import { ROOT } from './run.mjs'
 
-/** Time for a face to reach its pose after the first frame, milliseconds. */
+/** Time in which a face reaches its pose after the first frame, milliseconds. */
 const SETTLE_TIME = 3000
 
 /**
  * Takes pictures of the canvases of example pages.
  *
- * @param {{ page: string, width: number, height: number }[]} pages file names with queries; window sizes, pixels.
- * @returns {Promise<{ width: number, height: number, pixels: Uint8Array }[]>} RGBA bytes.
+ * @param {{ page: string, width: number, height: number }[]} pages file names with queries, and window sizes in pixels.
+ * @returns {Promise<{ width: number, height: number, pixels: Uint8Array }[]>} pictures as RGBA bytes.
  */
 export async function shootPages(pages) {
   if (pages.length === 0) return []

@@ -3,10 +3,11 @@ import { relative } from 'node:path'
 import { ROOT } from './run.mjs'
 
 /**
- * Vitest reporter that writes results as JSON to the file named by FURROW_TEST_REPORT:
- * `{ passed, failed, skipped, failedFiles, isCutOff }`. `skipped` lists tests, `failedFiles` files.
+ * Vitest reporter for scripts/test.mjs. Writes counts as JSON to the path in FURROW_TEST_REPORT: `{ passed, failed,
+ * skipped, failedFiles, isCutOff }`. `skipped` lists tests, and `failedFiles` lists files.
  *
- * Cancels the run at FURROW_TEST_UNTIL (Unix time, milliseconds). The remaining tests are skipped, not failed.
+ * Cancels the run at the time in FURROW_TEST_UNTIL (Unix time, milliseconds). The remaining tests count as skipped, not
+ * as failed.
  */
 export default class ProjectReporter {
   #counts = { passed: 0, failed: 0, skipped: [], failedFiles: [] }
@@ -22,7 +23,7 @@ export default class ProjectReporter {
     const counts = this.#counts
     const file = relative(ROOT, module.moduleId)
     let failed = module.errors().length
-    // A file that failed to load has no tests.
+    // A file that could not be loaded has no tests, so it counts as one failure.
     if (failed > 0) counts.failed++
     for (const test of module.children.allTests()) {
       const { state } = test.result()

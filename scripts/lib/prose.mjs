@@ -5,13 +5,11 @@ import { ROOT } from './run.mjs'
 
 const CHECKED = /\.(ts|tsx|mjs|js|py|md)$/
 
-/** A licence, and pages that are being replaced. */
-const SKIPPED = /templates\/template-data\.ts$|^docs\/(auto|studio)\.md$/
+/** Files that are not checked: licences, generated data, and pages that will be replaced. */
+const SKIPPED = /THIRD_PARTY_NOTICES\.md$|templates\/template-data\.ts$|^docs\/(auto|studio)\.md$/
 
-/** Maximum number of words in a sentence. */
 const MAX_WORDS = 30
 
-/** Openings of comments without a subject. */
 const NO_SUBJECT = /^(Of|What|That|Those|In which|For which)\s/
 
 /** Comment markers of a line, and the text after them. */
@@ -23,7 +21,7 @@ const NOT_PROSE = /^(\s*[-=|]{3,}|biome-ignore|@ts-|@vitest|eslint-|region|endre
 const markdown = new MarkdownIt({ html: true })
 const sentences = new Intl.Segmenter('en', { granularity: 'sentence' })
 
-/** Lists tracked files whose prose is checked. `paths` limits the list. */
+/** Returns the tracked files whose prose is checked. `paths` limits the list. */
 export function checkedFiles(paths = []) {
   const listed = execFileSync('git', ['ls-files', ...paths], { cwd: ROOT, encoding: 'utf8' })
   return listed.split('\n').filter((path) => CHECKED.test(path) && !SKIPPED.test(path))
@@ -32,7 +30,7 @@ export function checkedFiles(paths = []) {
 /**
  * Finds sentences that are too long, and comments that begin without a subject.
  *
- * @param {string} path file name; its extension selects the language.
+ * @param {string} path file name. Its extension selects the language.
  * @param {string} text
  * @returns {{ line: number, problem: string, sentence: string }[]} `line` starts at 1.
  */
@@ -51,7 +49,7 @@ export function findProblems(path, text) {
   })
 }
 
-/** Counts words of comments, or of a page. */
+/** Counts the words in the comments of a file, or on a Markdown page. */
 export function countProse(path, text) {
   return paragraphsOf(path, text).reduce((sum, { prose }) => sum + countWords(prose), 0)
 }
@@ -61,7 +59,7 @@ function paragraphsOf(path, text) {
   return path.endsWith('.py') ? commentsOfPython(text) : commentsOfScript(path, text)
 }
 
-/** Lists paragraphs, list items, headings and table cells of a Markdown page. */
+/** Returns the paragraphs, list items, headings and table cells of a Markdown page. */
 function paragraphsOfPage(text) {
   const tokens = markdown.parse(
     text.replace(/^---\n.*?\n---\n/s, (front) => front.replace(/[^\n]/g, '')),
@@ -84,7 +82,7 @@ function commentsOfScript(path, text) {
   return blocksOf(text, comments)
 }
 
-/** Lists comments and docstrings of a Python file. */
+/** Returns the comments and docstrings of a Python file. */
 function commentsOfPython(text) {
   const found = text.matchAll(/("""|''')(.*?)\1|"(?:[^"\\\n]|\\.)*"|'(?:[^'\\\n]|\\.)*'|#[^\n]*/gs)
   const comments = [...found].filter(([all, quotes]) => quotes || all.startsWith('#'))
@@ -94,7 +92,7 @@ function commentsOfPython(text) {
   )
 }
 
-/** Joins comments on adjacent lines, and splits them into paragraphs. */
+/** Joins comments on adjacent lines, and then splits them into paragraphs. */
 function blocksOf(text, comments) {
   const blocks = []
   let end = -1
@@ -132,7 +130,7 @@ function paragraphsOfComment({ line, lines }) {
   return paragraphs.map(({ line, prose }) => ({ line, prose: withoutCode(prose) }))
 }
 
-/** Replaces code and addresses by one word each, and removes tags. */
+/** Replaces each piece of code and each web address with one word. Removes tags. */
 function withoutCode(prose) {
   return prose
     .replace(/^@\w+\s+(\{.*?\}\s+)?(\[?[\w.]+(=[^\]]*)?\]?\s+(-\s+)?)?/, '')

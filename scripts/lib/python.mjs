@@ -5,18 +5,22 @@ import { join } from 'node:path'
 import { promisify } from 'node:util'
 import { ROOT, run, say } from './run.mjs'
 
-/** Matches `requires-python` in faces/pyproject.toml. */
+/** Oldest supported version of Python. Equal to `requires-python` in faces/pyproject.toml. */
 const OLDEST = [3, 11]
 const isAllowed = ([major, minor]) => major > OLDEST[0] || (major === OLDEST[0] && minor >= OLDEST[1])
 const NAMES = ['python3', 'python', 'python3.14', 'python3.13', 'python3.12', 'python3.11']
 const FOLDER = join(ROOT, 'faces/.venv')
-/** File with the hash of the installed pyproject.toml; written last. */
+/**
+ * File with the hash of the pyproject.toml that was installed. It is written last, so that an interrupted installation
+ * starts again.
+ */
 const INSTALLED = join(FOLDER, 'installed')
 
 /**
  * Creates or updates the virtual environment faces/.venv with the dependencies of faces/pyproject.toml.
  *
- * @returns {Promise<string | undefined>} path of its Python; undefined, with a message printed, if that fails.
+ * @returns {Promise<string | undefined>} path of its Python. If the installation fails, prints a message and returns
+ *   undefined.
  */
 export async function setUpPython() {
   const wanted = createHash('sha256')
@@ -54,14 +58,14 @@ export async function setUpPython() {
  * Finds the first Python with an allowed version. Returns undefined if there is none.
  *
  * @param {string[]} names programs to try.
- * @param {(version: [number, number]) => boolean} isAllowed takes the major and minor version.
+ * @param {(version: [number, number]) => boolean} isAllowed receives the major and the minor version.
  */
 export async function findPython(names, isAllowed) {
   for (const name of names) if (isAllowed((await versionOf(name)) ?? [0, 0])) return name
   return undefined
 }
 
-/** Returns the major and minor version, or undefined if the program is missing. */
+/** Returns the major and the minor version, or undefined if the program is missing. */
 async function versionOf(python) {
   try {
     const { stdout } = await promisify(execFile)(python, ['-c', 'import sys; print(*sys.version_info[:2])'])

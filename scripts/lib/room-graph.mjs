@@ -6,49 +6,53 @@ import { ROOT } from './run.mjs'
 
 const LIBRARY = 'packages/furrow/src'
 
-/** Rooms inside `three`, one per renderer. */
+/**
+ * A room is a top-level folder of the library's sources. These subfolders of the room `three`, one per renderer, count
+ * as rooms too.
+ */
 const RENDERERS = ['three/webgl', 'three/webgpu']
 
-/** Folders outside the library, which import its entry points. */
+/** Folders outside the library that import its entry points. */
 const OUTSIDE = ['packages/files', 'packages/cli', 'studio', 'stage']
 
-/** Patterns of workspace packages' specifiers, with their folders. */
+/** Patterns of import specifiers, with the folder of the package that they refer to. */
 const PACKAGES = [
   [/^furrow-files(\/|$)/, 'packages/files/'],
   [/^furrow(\/|$)/, `${LIBRARY}/`],
 ]
 
-/** Draws the rooms and their imports as SVG. */
+/** Draws a graph of the rooms and their imports as SVG. */
 export async function drawRooms() {
   const viz = await instance()
   return viz.renderString(toDot(libraryImports(), outsideImports()), { format: 'svg' })
 }
 
-/** Maps each room of the library to the rooms it imports. */
+/** Returns for each room of the library the rooms that it imports. */
 function libraryImports() {
   const folders = readdirSync(join(ROOT, LIBRARY), { withFileTypes: true }).filter((entry) =>
     entry.isDirectory(),
   )
   const names = [...folders.map(({ name }) => name), ...RENDERERS]
   const imports = importsBetween(new Map(names.map((name) => [name, `${LIBRARY}/${name}`])))
-  // An entry point may export from its inner rooms, as `furrow/three` does from `three/webgl`.
+  // A room with entry points may import its own inner rooms, as `three` imports `three/webgl`. The graph omits these
+  // imports.
   for (const [room, others] of imports) {
     for (const other of others) if (other.startsWith(`${room}/`)) others.delete(other)
   }
   return imports
 }
 
-/** Maps each folder outside the library to those it imports; `furrow` is the library. */
+/** Returns for each folder outside the library the folders that it imports. `furrow` is the library. */
 function outsideImports() {
   const folders = OUTSIDE.map((folder) => [folder.split('/').at(-1), folder])
   return importsBetween(new Map([...folders, ['furrow', LIBRARY]]))
 }
 
 /**
- * Reads the imports between folders.
+ * Finds the imports between folders.
  *
  * @param {Map<string, string>} folders paths by name.
- * @returns {Map<string, Set<string>>} imported folders' names by importing folder.
+ * @returns {Map<string, Set<string>>} names of the imported folders, by name of the importing folder.
  */
 function importsBetween(folders) {
   const roomOf = (path) => {
@@ -67,7 +71,7 @@ function importsBetween(folders) {
   return imports
 }
 
-/** Formats the graph in Graphviz's DOT language. */
+/** Formats the graph in the DOT language of Graphviz. */
 function toDot(library, outside) {
   const inner = edgesOf(library).map(([from, to]) => `"${from}" -> "${to}"`)
   const outer = edgesOf(outside).map(([from, to]) =>
@@ -85,7 +89,7 @@ function toDot(library, outside) {
 }`
 }
 
-/** Lists imports as pairs, without those implied by transitivity. */
+/** Returns the imports as pairs. Omits a pair if other pairs imply it. */
 function edgesOf(imports) {
   const reaches = (from, to, skip) =>
     [...imports.get(from)].some((next) => next !== skip && (next === to || reaches(next, to)))

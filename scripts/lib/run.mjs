@@ -1,10 +1,9 @@
 import { spawn } from 'node:child_process'
 import { fileURLToPath } from 'node:url'
 
-/** Root of the repository; working directory of all commands. */
+/** Root of the repository. All commands run in this folder. */
 export const ROOT = fileURLToPath(new URL('../../', import.meta.url))
 
-/** Prints a line of progress. */
 export function say(text) {
   console.info(`furrow: ${text}`)
 }
@@ -13,15 +12,16 @@ export function say(text) {
  * Runs a program and waits for its end.
  *
  * @param {string[]} words program and arguments.
- * @param {{ quiet?: boolean, env?: NodeJS.ProcessEnv, input?: 'ignore' | 'inherit', started?: (id: number) => void }} [options]
- *   quiet: print output only if the program fails. input: standard input. started: called with the process id.
- * @returns {Promise<number>} exit code; 1 if it was killed or could not be started.
+ * @param {{ quiet?: boolean, env?: NodeJS.ProcessEnv, input?: 'ignore' | 'inherit', started?: (id: number) => void }}
+ *   [options] `quiet`: print the output only if the program fails. `input`: standard input. `started`: called with the
+ *   process id.
+ * @returns {Promise<number>} exit code. It is 1 if the program was killed or could not be started.
  */
 export function run([program, ...parameters], options = {}) {
   const { quiet = false, env = process.env, input = 'ignore', started } = options
   return new Promise((done) => {
     const output = []
-    // On Windows npm and npx are scripts and need a shell.
+    // On Windows, npm and npx are scripts that need a shell.
     const shell = process.platform === 'win32'
     const stdio = [input, quiet ? 'pipe' : 'inherit', quiet ? 'pipe' : 'inherit']
     const child = spawn(program, parameters, { cwd: ROOT, env, shell, stdio })
@@ -36,16 +36,16 @@ export function run([program, ...parameters], options = {}) {
   })
 }
 
-/** Like `run`, but throws if the program fails. */
+/** Runs a program like `run`, but throws if it fails. */
 export async function must(words, options) {
   const code = await run(words, options)
   if (code !== 0) throw new Failure(`"${words.join(' ')}" failed with exit code ${code}`)
 }
 
-/** Expected error, printed as one line without a stack. */
+/** Expected error of a script. It is printed as one line, without a stack. */
 export class Failure extends Error {}
 
-/** Runs a script's main function; an error sets exit code 1. */
+/** Runs the main function of a script. Prints an error that it throws, and sets exit code 1. */
 export async function main(work) {
   try {
     await work()

@@ -2,10 +2,12 @@ import { existsSync, readdirSync, readFileSync, statSync } from 'node:fs'
 import { join } from 'node:path'
 import { Failure, must, ROOT, say } from './run.mjs'
 
-/** Oldest supported Node; matches `engines` in package.json. */
+/** Oldest supported version of Node. Equal to `engines` in package.json. */
 const NODE = [20, 19]
 
-/** Packages in build order. `result` is the file written last, so that an interrupted build counts as stale. */
+/**
+ * Packages in build order. The build writes `result` last, so that a package with an interrupted build is built again.
+ */
 const BUILDS = [
   {
     name: 'furrow',
@@ -26,7 +28,7 @@ const BUILDS = [
 ]
 const SHARED_SOURCES = ['package-lock.json', 'tsconfig.base.json']
 
-/** Installs packages and builds the library and the CLI, unless up to date. */
+/** Installs packages and builds the library and the CLI. Skips steps that are up to date. */
 export async function setUp() {
   checkNode()
   if (!isInstalled()) {
@@ -35,7 +37,7 @@ export async function setUp() {
   }
   let stale = false
   for (const build of BUILDS) {
-    // Each depends on the previous ones.
+    // A package depends on the packages before it, so it is stale if one of them is.
     stale ||= isStale(build)
     if (!stale) continue
     say(`building ${build.name}`)
@@ -51,13 +53,13 @@ function checkNode() {
   )
 }
 
-/** Whether the installed packages match the lock file. */
+/** Returns whether the installed packages match the lock file. */
 function isInstalled() {
   const installed = readLock('node_modules/.package-lock.json')
   if (!installed) return false
   return Object.entries(readLock('package-lock.json').packages).every(([path, wanted]) => {
     if (!path.startsWith('node_modules/') && !path.includes('/node_modules/')) return true
-    // Packages for other platforms are not installed.
+    // Optional packages for other platforms are not installed.
     const found = installed.packages[path]
     return found ? found.version === wanted.version && existsSync(join(ROOT, path)) : wanted.optional
   })
@@ -75,7 +77,10 @@ function isStale({ result, sources }) {
   return [...sources, ...SHARED_SOURCES].some((source) => newest(join(ROOT, source)) > built)
 }
 
-/** Returns the last modification time of a file or a folder's contents. Removing a file changes its folder's time. */
+/**
+ * Returns the modification time of a file, or the latest modification time in a folder. The time of the folder itself
+ * counts too, because it changes when a file is removed.
+ */
 function newest(path) {
   const status = statSync(path)
   if (!status.isDirectory()) return status.mtimeMs

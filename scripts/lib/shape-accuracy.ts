@@ -13,16 +13,16 @@ import { seeded } from '../../test/random.ts'
 import { unlabelledShapes } from '../../test/unlabelled-shapes.ts'
 import { TEMPLATE_FACES } from './shape-templates.ts'
 
-/** Shapes that wrinkles depend on. */
+/** ARKit shapes that affect wrinkles most. */
 const KEY_SHAPES =
   /^(brow(Down|OuterUp|InnerUp)|eye(Blink|Squint)|cheek(Squint|Puff)|noseSneer|mouth(Smile|Frown|Pucker)|jawOpen)/
 
-/** Sizes of random subsets. */
+/** Numbers of blendshapes in random subsets. */
 const SUBSET_SIZES = [5, 10, 20, 30]
-/** The full set with shapes outside ARKit's set. */
+/** Name of the set that contains all ARKit shapes, and shapes that ARKit lacks. */
 const MIXED = 'full, with sliders and composites'
 
-/** Counts of shapes. */
+/** Counts of blendshapes that were recognised rightly or wrongly. */
 interface Counts {
   all: number
   right: number
@@ -30,7 +30,7 @@ interface Counts {
   wrong: number
   key: number
   keyRight: number
-  /** Shapes above `SURE`. */
+  /** Recognised with a confidence above `SURE`. */
   sure: number
   sureWrong: number
 }
@@ -38,12 +38,18 @@ interface Counts {
 interface Row {
   head: string
   templates: string
-  /** Number of random shapes, or the full set. */
+  /** Number of blendshapes in a random subset, or the whole set. */
   set: number | 'full' | typeof MIXED
   counts: Counts
 }
 
-/** Counts recognised shapes of heads without names, for all shapes and for random subsets. */
+/**
+ * Measures how many blendshapes of heads are recognised if their names are removed. Yields rows of a table, for all
+ * blendshapes and for random subsets.
+ *
+ * @param folder heads written by faces/sample_heads.py.
+ * @param seeds first and last seed of the heads to read.
+ */
 export async function* accuracyOf(folder: string, seeds: readonly [first: number, last: number]) {
   const [builder, scan] = templateHeads()
   const [human, human2] = TEMPLATE_FACES.builder
@@ -83,7 +89,6 @@ async function* rowsOf(
   for (const { set, counts } of sets) yield { head, templates, set, counts }
 }
 
-/** Hashes a name to a random seed. */
 function hashOf(name: string): number {
   return [...name].reduce((sum, c) => (Math.imul(31, sum) + c.charCodeAt(0)) >>> 0, 0)
 }
@@ -127,7 +132,7 @@ function add(counts: Counts, found: RecognisedShape, truth: string): void {
   addSure(counts, found, truth)
 }
 
-/** Counts a shape outside ARKit's set: any label is wrong. */
+/** Counts a shape outside ARKit's set. Any ARKit name for it is wrong. */
 function addOther(counts: Counts, found: RecognisedShape): void {
   if (found.shape !== undefined) counts.wrong++
   addSure(counts, found, undefined)
@@ -145,7 +150,6 @@ function noCounts(): Counts {
 
 const number = (value: number) => value.toLocaleString('en')
 
-/** Formats a row of the Markdown table. */
 export function formatRow({ head, templates, set, counts }: Row): string {
   const { all, right, unknown, wrong, key, keyRight, sure, sureWrong } = counts
   const cells = [

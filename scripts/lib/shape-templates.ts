@@ -14,13 +14,13 @@ import {
 
 const fromRoot = (path: string) => fileURLToPath(new URL(`../../${path}`, import.meta.url))
 
-/** Faces of each head in the table, with ARKit's target names. */
+/** For each head of the template table, the faces that are averaged. The blendshapes of these faces have ARKit's names. */
 export const TEMPLATE_FACES: Readonly<Record<string, readonly string[]>> = {
   builder: ['faces/human.glb', 'faces/human-2.glb'].map(fromRoot),
   scan: [fromRoot('../shared/real-face/ict-face.glb')],
 }
 
-/** Reads the shapes of a face as templates. */
+/** Reads the blendshapes of a face as templates for shape recognition. */
 export async function readTemplateHead(path: string): Promise<TemplateHead> {
   const { skin } = findSkin(await readDocument(path, 'shape templates'), path, 'shape templates')
   const surface = movingSurface(skin)
@@ -30,13 +30,13 @@ export async function readTemplateHead(path: string): Promise<TemplateHead> {
   return templateHead(shapeFields(surface, frame), names)
 }
 
-/** Encodes the mean of some faces for the table, as base64. */
+/** Averages the templates of some faces, and encodes the result as base64. */
 export async function templateText(faces: readonly string[]): Promise<string> {
   const heads = await Promise.all(faces.map(readTemplateHead))
   return Buffer.from(encodeHead(meanHead(heads))).toString('base64')
 }
 
-/** Licence of the scan, repeated with its templates. */
+/** Licence of the scanned face. The file with its templates must repeat the licence. */
 export const SCAN_LICENCE = [
   'MIT License',
   '',

@@ -3,9 +3,9 @@ import { canonicalTargetName } from 'furrow/internal'
 import { removeNames } from '../../test/heads.ts'
 
 /**
- * Replaces the names of all blendshapes with meaningless ones.
+ * Replaces the names of all blendshapes with meaningless names.
  *
- * @returns the new names by ARKit's names.
+ * @returns the new names, by ARKit name.
  */
 export function stripTargetNames(document: Document): Map<string, string> {
   const names = targetNames(document).map(canonicalTargetName)
@@ -14,7 +14,6 @@ export function stripTargetNames(document: Document): Map<string, string> {
   return new Map(names.map((name, i) => [name, replacements[i]!]))
 }
 
-/** Lists the distinct blendshape names of all meshes. */
 function targetNames(document: Document): string[] {
   const meshes = document.getRoot().listMeshes()
   return [...new Set(meshes.flatMap((mesh) => (mesh.getExtras().targetNames as string[]) ?? []))]

@@ -1,4 +1,3 @@
-/** A test file's path in the repository, and the Vitest project that runs it. */
 export interface TestFile {
   project: string
   file: string

@@ -4,10 +4,12 @@ import { tmpdir } from 'node:os'
 import { join, relative } from 'node:path'
 import { must, ROOT } from './run.mjs'
 
-/** Suffix of unit tests that `npm test` skips. */
+/** End of the names of unit tests that `npm test` skips. */
 const HEAVY = '.heavy.test.ts'
 
-/** Browser tests that `npm test` runs: the README's promises. It skips all others. */
+/**
+ * Browser tests that `npm test` runs. They check what the README promises. `npm test` skips all other browser tests.
+ */
 export const PROMISES = [
   'test/gpu/influence.test.ts',
   'test/gpu/layers.test.ts',
@@ -32,7 +34,7 @@ export const PROMISES = [
   'test/pages/studio-path.test.ts',
 ]
 
-/** Unit tests with more random cases in `npm run test:all`. */
+/** Unit tests that run more random cases in `npm run test:all`. */
 export const MORE_CASES = [
   'test/unit/author/strokes-schema.test.ts',
   'test/unit/cli/fuzz.test.ts',
@@ -41,17 +43,20 @@ export const MORE_CASES = [
   'test/unit/gltf/specification.test.ts',
 ]
 
-/** Whether `npm test` runs a file. */
+/** Returns whether `npm test` runs a file. */
 export function isQuick({ project, file }) {
   return project === 'unit' ? !file.endsWith(HEAVY) : project === folderOf(file) && PROMISES.includes(file)
 }
 
-/** Whether `npm run test:all` runs a file: one that `npm test` skips, or runs with fewer renderers or random cases. */
+/**
+ * Returns whether `npm run test:all` runs a file. It runs files that `npm test` skips, and files that `npm test` runs
+ * with fewer renderers or random cases.
+ */
 export function isInAll(test) {
   return !isQuick(test) || folderOf(test.file) === 'gpu' || MORE_CASES.includes(test.file)
 }
 
-/** Lists all test files as `{ project, file }`, in a deterministic order. */
+/** Returns all test files as `{ project, file }`, in a deterministic order. */
 export async function listTests() {
   const folder = await mkdtemp(join(tmpdir(), 'furrow-tests-'))
   const list = join(folder, 'list.json')
@@ -70,10 +75,10 @@ export async function listTests() {
   }
 }
 
-/** Vitest's command. Skips npx, which takes half a second. */
+/** Command of Vitest. Runs without npx, which would take half a second. */
 export const VITEST = [process.execPath, 'node_modules/vitest/vitest.mjs']
 
-/** Browser name that Vitest appends to a project's name: `gpu (chromium)`. */
+/** Suffix that Vitest appends to the name of a project, e.g. in `gpu (chromium)`. */
 export const BROWSER = / \(.*\)$/
 
 const folderOf = (file) => file.split('/')[1]

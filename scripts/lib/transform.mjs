@@ -1,4 +1,4 @@
-// Compresses files with glTF-Transform, as users do before publishing.
+// Compresses files with glTF-Transform, as users do before they publish a file.
 
 import { Logger, NodeIO } from '@gltf-transform/core'
 import { ALL_EXTENSIONS } from '@gltf-transform/extensions'
@@ -8,7 +8,7 @@ import { FurrowWrinkleMaps } from 'furrow/gltf'
 import { MeshoptDecoder, MeshoptEncoder } from 'meshoptimizer'
 import sharp from 'sharp'
 
-/** The transforms that docs/transform.md recommends, with lossless or lossy textures. */
+/** Returns the transforms that docs/transform.md recommends, with lossless or lossy textures. */
 export function compressing(lossless) {
   return [
     dedup(),
@@ -18,7 +18,6 @@ export function compressing(lossless) {
   ]
 }
 
-/** Reads, transforms and writes a file. */
 export async function transformFile(input, output, transforms) {
   await MeshoptEncoder.ready
   const io = new NodeIO()

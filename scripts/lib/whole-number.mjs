@@ -1,9 +1,9 @@
 import { Failure } from './run.mjs'
 
 /**
- * Parses a whole number from a script's option.
+ * Parses a whole number that was given as an option of a script.
  *
- * @param {string} option option name, for the error.
+ * @param {string} option name of the option, for errors.
  * @param {string} text
  * @param {number} least smallest allowed value.
  * @returns {number}

@@ -1,1 +1,1 @@
-"""FURROW_wrinkle_maps without Blender: JSON, files and the plan of small drivers. Does not import bpy."""
+"""Reads and writes FURROW_wrinkle_maps in glTF files, and plans drivers. Does not import bpy."""

@@ -1,4 +1,4 @@
-"""Reads images from `.glb` and `.gltf` files, and adds wrinkles to existing files."""
+"""Reads images from `.glb` and `.gltf` files, and adds wrinkles to such files."""
 
 import base64
 import json
@@ -18,7 +18,7 @@ _BASISU = "KHR_texture_basisu"
 
 @dataclass(frozen=True)
 class ImageFile:
-    """An encoded image."""
+    """An encoded image, as the bytes of its file."""
 
     name: str
     mime_type: str
@@ -26,7 +26,7 @@ class ImageFile:
 
 
 class GltfFile:
-    """A glTF file: `json`, and images by texture."""
+    """A glTF file that was read. `json` is its document, and `image_of` reads its images."""
 
     def __init__(self, path):
         self.path = Path(path)
@@ -45,7 +45,7 @@ class GltfFile:
         return len(self.json.get("textures", []))
 
     def image_of(self, texture):
-        """Read a texture's image. Raises FurrowError if it is missing, damaged or unsupported by Blender."""
+        """Read the image of a texture. Raises FurrowError if it is missing, damaged or unsupported by Blender."""
         try:
             item = self.json["textures"][texture]
             extensions = item.get("extensions", {})
@@ -64,7 +64,7 @@ class GltfFile:
             ) from error
 
     def view(self, index):
-        """Return the bytes of a buffer view."""
+        """Return the bytes of a buffer view. Raises ValueError if they are not in the buffer."""
         view = self.json["bufferViews"][index]
         start = view.get("byteOffset", 0)
         buffer = self.json["buffers"][view["buffer"]]
@@ -80,7 +80,7 @@ class GltfFile:
 
 
 def mime_type_of(data):
-    """Detect PNG, JPEG or WebP by the first bytes. Raises ValueError for other formats."""
+    """Detect PNG, JPEG or WebP from the first bytes. Returns the MIME type. Raises ValueError for other formats."""
     if data[:8] == b"\x89PNG\r\n\x1a\n":
         return "image/png"
     if data[:3] == b"\xff\xd8\xff":
@@ -92,10 +92,11 @@ def mime_type_of(data):
 
 def add_wrinkles(path, wrinkles):
     """
-    Add the extension to materials of an existing file, in place.
+    Add the extension to materials of a file and overwrite the file.
 
-    `wrinkles`: by material name, a document and its list of ImageFile; texture indices refer to that list. Missing
-    materials are skipped. Returns the names of changed materials.
+    `wrinkles`: dict from names of materials to pairs (document, list of ImageFile). Texture indices in the document
+    of a pair refer to the list of this pair. Materials that the file lacks are skipped. Returns the names of the
+    changed materials.
     """
     file = GltfFile(path)
     is_glb = has_glb_header(path)
@@ -125,13 +126,16 @@ def add_wrinkles(path, wrinkles):
 
 
 def has_glb_header(path):
-    """Whether a file starts like a `.glb`."""
     with open(path, "rb") as file:
         return file.read(4) == b"glTF"
 
 
 def _with_textures(document, textures, coordinates):
-    """Copy a document with texture indices of the file and the texCoord of the material's normal map."""
+    """
+    Copy the extension's JSON (`document`), and replace its texture indices by those of the file.
+
+    `textures`: new texture index by old index. `coordinates`: number of the UV set (texCoord) that all textures use.
+    """
     copy = json.loads(json.dumps(document))
     for info in textures_of(copy):
         info["index"] = textures[info["index"]]
@@ -142,7 +146,6 @@ def _with_textures(document, textures, coordinates):
 
 
 def _add_image(json_, image, binary, path, is_glb):
-    """Add an image and its texture. Returns the texture's index."""
     images = json_.setdefault("images", [])
     item = {"name": image.name, "mimeType": image.mime_type}
     if is_glb:
@@ -189,7 +192,6 @@ def _read_glb(data, who):
 
 
 def write_glb(json_, binary):
-    """Encode a `.glb`."""
     text = json.dumps(json_, separators=(",", ":"), ensure_ascii=False).encode()
     text += b" " * (-len(text) % 4)
     out = struct.pack("<II", len(text), _JSON) + text

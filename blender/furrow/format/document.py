@@ -1,4 +1,4 @@
-"""Checks the extension's JSON by the rules of docs/FURROW_wrinkle_maps.md."""
+"""Checks the JSON of FURROW_wrinkle_maps, called the document, by the rules of docs/FURROW_wrinkle_maps.md."""
 
 from .driver_fields import read_driver
 from .reader import MAX_NUMBER, FurrowError, Reader
@@ -8,7 +8,8 @@ MAX_LAYERS = 4
 MAX_AREAS = 256
 MAX_DRIVERS = 4096
 
-#: Texture slots of a layer with their number: name, minimum, maximum and default (None: required).
+#: Texture fields of a layer. A texture with a number, such as a scale, has a tuple: the number's JSON field, minimum,
+#: maximum, default. If the default is None, the number is required.
 SLOTS = {
     "normalTexture": ("scale", -MAX_NUMBER, MAX_NUMBER, 1),
     "baseColorTexture": None,
@@ -16,15 +17,17 @@ SLOTS = {
     "occlusionTexture": ("strength", 0, 1, 1),
     "heightTexture": ("amplitude", 0, MAX_NUMBER, None),
     "bloodTexture": ("amplitude", 0, 2, None),
+    "onsetTexture": ("strength", 0, 1, 1),
 }
 
 
 def read_document(json, texture_count, who=EXTENSION, on_error=None):
     """
-    Check the extension's JSON and fill in defaults. Keeps unknown fields and drivers.
+    Check the extension's JSON and fill in defaults. Keeps unknown fields and drivers of unknown types.
 
-    `on_error`: called with the message of each malformed driver, which is skipped. By default errors are raised.
-    Returns a new dict with `layers`, `areas`, `drivers` and all other fields.
+    `who`: beginning of error messages. `on_error`: function that is called with an error message for each malformed
+    driver, which is then skipped. By default, malformed drivers raise FurrowError, as all other errors do. Returns a
+    new dict with `layers`, `areas`, `drivers` and all other fields.
     """
     reader = Reader(who)
     root = dict(reader.object(json, "the extension"))
@@ -39,7 +42,7 @@ def read_document(json, texture_count, who=EXTENSION, on_error=None):
 
 
 def textures_of(document):
-    """Iterate over all texture infos, layers first."""
+    """Iterate over all texture infos: first those of layers, then those of areas."""
     for layer in document["layers"]:
         yield from (layer[slot] for slot in SLOTS if slot in layer)
     for area in document["areas"]:
@@ -47,7 +50,6 @@ def textures_of(document):
 
 
 def without_defaults(document):
-    """Copy a document without fields that have default values."""
     layers = []
     for layer in document["layers"]:
         out = {key: value for key, value in layer.items() if (key, value) != ("kind", "replace")}
@@ -85,12 +87,31 @@ def _layer(reader, item, at, count):
     for slot, number in SLOTS.items():
         if slot in layer or slot == "normalTexture":
             layer[slot] = _texture(reader, layer.get(slot), f"{at}.{slot}", count, number)
-    blood, occlusion = layer.get("bloodTexture"), layer.get("occlusionTexture")
-    if blood and occlusion and (blood["index"], blood.get("slice")) != (occlusion["index"], occlusion.get("slice")):
+    _check_shared_image(reader, layer, at)
+    return layer
+
+
+def _check_shared_image(reader, layer, at):
+    """Check that occlusion, blood and onset share one image. Roughness and onset must not, because both use G."""
+    blood, occlusion, onset = (layer.get(f"{name}Texture") for name in ("blood", "occlusion", "onset"))
+    if blood and occlusion and not _is_same(blood, occlusion):
         problem = f"{at}.bloodTexture differs from occlusionTexture"
         remedy = "store blood in the B channel of the occlusion image"
         reader.fail(problem, _texture_name(blood), _texture_name(occlusion), remedy)
-    return layer
+    shared, other = (occlusion, "occlusion") if occlusion else (blood, "blood")
+    if onset and shared and not _is_same(onset, shared):
+        problem = f"{at}.onsetTexture differs from {other}Texture"
+        remedy = f"store onset in the G channel of the {other} image"
+        reader.fail(problem, _texture_name(onset), _texture_name(shared), remedy)
+    roughness = layer.get("roughnessTexture")
+    if onset and roughness and _is_same(onset, roughness):
+        problem = f"{at}.onsetTexture is the image of roughnessTexture"
+        remedy = "store roughness in a separate image, because both use the G channel"
+        reader.fail(problem, _texture_name(onset), "another image", remedy)
+
+
+def _is_same(one, other):
+    return (one["index"], one.get("slice")) == (other["index"], other.get("slice"))
 
 
 def _area(reader, item, at, layer_count, count):

@@ -1,4 +1,4 @@
-"""Fields of drivers by type. Drivers of unknown types are kept unchanged."""
+"""Checks the fields of drivers, which depend on the type of the driver. Drivers of unknown types are kept unchanged."""
 
 import math
 
@@ -58,7 +58,7 @@ def _vector(reader, driver, at, field, size):
 def _direction(reader, driver, at, field, size):
     if field in driver and math.hypot(*_vector(reader, driver, at, field, size)) == 0:
         zeros, example = ", ".join(["0"] * size), ", ".join(["1", "0", "0"][:size])
-        reader.fail(f"{at}.{field} has no direction", zeros, None, f"write e.g. [{example}]")
+        reader.fail(f"{at}.{field} has length zero", zeros, None, f"write e.g. [{example}]")
 
 
 def _morph(reader, driver, at, areas):

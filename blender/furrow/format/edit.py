@@ -1,4 +1,4 @@
-"""Edits of a document's drivers. All functions return new lists."""
+"""Edits lists of drivers and shape corrections. All functions return new lists."""
 
 import copy
 
@@ -7,10 +7,11 @@ from .driver_fields import IDENTITY
 
 def link_target(drivers, area, target, weight=1, start=0, full=1):
     """
-    Let a morph target activate an area, starting at weight `start` and fully at `full`.
+    Let a morph target activate an area.
 
-    Adds the link to the area's first `morph` driver with default rule and curve, or to a new one. Replaces a link to
-    the same target.
+    The activation starts when the target's weight reaches `start`, and is full at the weight `full`. `weight` scales
+    the activation. The target is added to the area's first `morph` driver that has the default rule and curve, or to a
+    new driver. If the driver already reads the target, the new link replaces the old one.
     """
     link = {"name": target, "weight": weight}
     if (start, full) != (0, 1):
@@ -24,14 +25,14 @@ def link_target(drivers, area, target, weight=1, start=0, full=1):
 
 
 def remove_link(drivers, index, target):
-    """Remove a link, and its driver if no link remains."""
+    """Remove the link to `target` from `drivers[index]`. Removes the driver if no link remains."""
     out = copy.deepcopy(drivers)
     out[index]["targets"] = [item for item in out[index]["targets"] if item["name"] != target]
     return out if out[index]["targets"] else out[:index] + out[index + 1 :]
 
 
 def remove_area(drivers, area):
-    """Remove all drivers and links of an area."""
+    """Remove all drivers of an area, and all links that read it."""
     out = []
     for driver in copy.deepcopy(drivers):
         if driver.get("area") == area:
@@ -45,7 +46,6 @@ def remove_area(drivers, area):
 
 
 def rename_area(drivers, old, new):
-    """Rename an area in all drivers."""
     out = copy.deepcopy(drivers)
     for driver in out:
         if driver.get("area") == old:
@@ -58,7 +58,7 @@ def rename_area(drivers, old, new):
 
 
 def rename_joints(drivers, names):
-    """Rename joints. `names`: new names by old ones."""
+    """Rename the joints of `bone` drivers. `names`: new names by old names."""
     return [
         {**driver, "joints": [names.get(name, name) for name in driver["joints"]]}
         if driver["type"] == "bone"
@@ -68,14 +68,14 @@ def rename_joints(drivers, names):
 
 
 def meshes_of(shapes):
-    """List the distinct mesh names in shape corrections. Malformed corrections are skipped."""
+    """List the distinct mesh names in `shapes`, the document's list of shape corrections. Skips malformed items."""
     items = shapes if isinstance(shapes, list) else []
     names = [item.get("mesh") for item in items if isinstance(item, dict)]
     return list(dict.fromkeys(name for name in names if isinstance(name, str)))
 
 
 def rename_meshes(shapes, names):
-    """Rename meshes in shape corrections. `names`: new names by old ones."""
+    """Rename the meshes in shape corrections. `names`: new names by old names."""
     if not meshes_of(shapes):
         return shapes
 
@@ -86,7 +86,7 @@ def rename_meshes(shapes, names):
 
 
 def describe_driver(driver):
-    """Describe a driver in one line for the interface."""
+    """Describe a driver in one line for the panel."""
     if driver["type"] in ("morph", "area"):
         links = driver.get("targets") or driver.get("areas")
         joined = " + ".join(f"{item['weight']:g} {item['name']}" for item in links)

@@ -1,10 +1,15 @@
-"""Names of morph targets in different rigs. Matches `packages/furrow/src/drivers/morph/target-names.ts`."""
+"""
+Finds morph targets by name, in the spellings of different rigs.
+
+The rules equal those in `packages/furrow/src/drivers/morph/target-names.ts`.
+"""
 
 import json
 import re
 from pathlib import Path
 
-#: One list per shape, canonical name first. `npm test -- test/unit/blender/aliases.test.ts -u` writes the file.
+#: Lists of names for the same shape. The first name of a list is the canonical name. The command
+#: `npm test -- test/unit/blender/aliases.test.ts -u` writes `aliases.json`.
 ALIASES = json.loads(Path(__file__).with_name("aliases.json").read_text("utf-8"))
 
 _PREFIXES = (re.compile(r"^.*\.(?=[^.]{2})"), re.compile(r"^M_F\d+(_\d+)*_", re.I), re.compile(r"^BS_", re.I))
@@ -12,9 +17,10 @@ _PREFIXES = (re.compile(r"^.*\.(?=[^.]{2})"), re.compile(r"^M_F\d+(_\d+)*_", re.
 
 def find_targets(name, targets):
     """
-    Find the indices of the targets for a name: an exact match, else another spelling, else the left and right halves.
+    Return the indices of the targets that a name refers to.
 
-    Returns an empty list if nothing matches.
+    Searches for a target with exactly this name, then one with another spelling, then the left and right halves of a
+    shape. Returns an empty list if there are none.
     """
     if name in targets:
         return [targets.index(name)]
@@ -26,7 +32,11 @@ def find_targets(name, targets):
 
 
 def canonical_name(name):
-    """Convert `blendShape1.browOuterUp_L` to `browOuterUpLeft`. Only strips the prefix of unknown shapes."""
+    """
+    Return the canonical name of a target, for example `browOuterUpLeft` for `blendShape1.browOuterUp_L`.
+
+    For unknown shapes, returns the name without its prefix.
+    """
     known = _CANONICAL.get(_key(name))
     if known:
         return known

@@ -1,9 +1,9 @@
 """
-Splits drivers into small steps for Blender.
+Splits the drivers of a document into small steps, because each step must fit into one Blender driver.
 
-Each step becomes one Blender driver. It combines numbers by sum, mean, minimum, maximum or a short expression, and maps
-the result through a curve, stored as key frames of the driver's F-curve. Blender cuts off expressions at 255
-characters, and a driver may have 1024 links, so expressions read at most four numbers.
+A step combines numbers by sum, mean, minimum, maximum or a short expression. It then maps the result by a curve, which
+is stored as key frames of the driver's F-curve. Blender cuts off expressions after 255 characters, but a driver of the
+document may have 1024 links. Therefore the expressions planned here read at most four numbers.
 """
 
 from dataclasses import dataclass, field
@@ -11,15 +11,18 @@ from dataclasses import dataclass, field
 from .driver_fields import IDENTITY
 from .names import find_targets
 
-#: Driver types that Blender cannot evaluate, with a note.
+#: Driver types that Blender cannot evaluate, with a note for the panel.
 UNSUPPORTED = {"tension": "tension: a driver cannot measure the deformed skin"}
 
 
 @dataclass(frozen=True)
 class Source:
     """
-    An input of a step. Kinds: weight of a `target`, another `step`, resting activation (`rest`) or lag (`late`) of an
-    area, `input`, `joint`.
+    A number that a step reads, by `kind`.
+
+    `target`: weight of a shape key. `step`: result of another step. `rest`: resting activation of an area. `late`:
+    difference between an area's delayed and undelayed activation. `input`: an input of the wrinkle set, such as the
+    age. `joint`: rotation of a joint, or distance of two joints.
     """
 
     kind: str
@@ -28,7 +31,11 @@ class Source:
 
 @dataclass
 class Step:
-    """A small driver. `curve`: points, constant beyond the ends. `slope`: a factor instead of a curve."""
+    """
+    A small driver.
+
+    `curve`: points (input, output), constant beyond the ends. `slope`: factor that replaces the curve.
+    """
 
     name: str
     combine: str
@@ -40,35 +47,40 @@ class Step:
 
 @dataclass
 class Plan:
-    """Steps in any order, because Blender sorts them by dependency, and unsupported drivers."""
+    """All steps for a document, and the drivers that cannot be planned."""
 
     steps: list = field(default_factory=list)
+    """Steps in any order. Blender sorts drivers by dependency."""
     inputs: dict = field(default_factory=dict)
-    """Initial values by name."""
+    """Initial values of the inputs, by name."""
     delays: dict = field(default_factory=dict)
-    """Attack and release in seconds, by area index."""
+    """Attack and release in seconds, by index of the delayed area."""
     missing: list = field(default_factory=list)
-    """Targets that drivers use but the mesh lacks."""
+    """Names of targets that drivers read, but the mesh lacks."""
     unsupported: list = field(default_factory=list)
-    """Notes for the interface on drivers that Blender does not show."""
+    """Notes for the panel about drivers that have no effect in Blender."""
 
 
 def activation_name(area):
-    """Name of the step with an area's activation before delay. `area`: index."""
+    """Return the name of the step that computes the activation of an area before its delay. `area`: index."""
     return f"a{area}"
 
 
 def shown_name(area, delays):
-    """Name of the step with an area's shown activation. `area`: index. `delays`: indices of delayed areas."""
+    """
+    Return the name of the step that computes the activation of an area including its delay.
+
+    `area`: index. `delays`: indices of the delayed areas.
+    """
     return f"s{area}" if area in delays else activation_name(area)
 
 
 def plan_drivers(drivers, areas, targets, can_measure=lambda driver: False):
     """
-    Plan a document's drivers for a mesh.
+    Plan the drivers of a document for a mesh.
 
-    `areas`: names of all areas. `targets`: names of the mesh's shape keys. `can_measure`: predicate for `bone` drivers
-    with existing joints.
+    `areas`: names of all areas. `targets`: names of the mesh's shape keys. `can_measure`: function that returns whether
+    the joints of a `bone` driver exist.
     """
     plan = Plan()
     weights = _Targets(plan, targets)
@@ -93,7 +105,7 @@ def plan_drivers(drivers, areas, targets, can_measure=lambda driver: False):
 
 
 class _Targets:
-    """Target weights after conflicts."""
+    """Stores the source of each target's weight: a shape key, or a step if a driver of type `conflict` reduces it."""
 
     def __init__(self, plan, targets):
         self.plan = plan
@@ -102,7 +114,11 @@ class _Targets:
         self.conflicts = 0
 
     def find(self, name):
-        """Return the sources to average for a name. Returns an empty list and notes the name if the mesh lacks it."""
+        """
+        Return the sources whose mean is the weight of a target.
+
+        If the mesh lacks the target, returns an empty list and adds the name to the missing ones.
+        """
         found = find_targets(name, self.targets)
         if not found and name not in self.plan.missing:
             self.plan.missing.append(name)
@@ -132,7 +148,7 @@ def _mean(plan, name, sources):
 
 
 def _links_of(driver, weights, areas, cyclic, can_measure, plan):
-    """Return a driver's links as (sources, weight, curve), or None if it activates nothing in Blender."""
+    """Return a driver's links as tuples (sources, weight, curve), or None if the driver has no effect in Blender."""
     kind = driver["type"]
     if kind == "morph":
         return [(weights.find(link["name"]), link["weight"], link.get("curve")) for link in driver["targets"]]
@@ -165,7 +181,7 @@ def _links_of(driver, weights, areas, cyclic, can_measure, plan):
 
 
 def _add_driver(plan, name, driver, links):
-    """Add a driver's steps. Returns the source of its contribution to the area."""
+    """Add the steps of a driver to the plan. Returns the source of the driver's contribution to its area."""
     values = []
     for k, (sources, weight, curve) in enumerate(links):
         if len(sources) == 1 and weight == 1 and curve is None:
@@ -189,7 +205,7 @@ def _add_driver(plan, name, driver, links):
 
 
 def _cyclic_areas(drivers):
-    """Find areas that drive themselves, directly or through others."""
+    """Return the areas that depend on themselves: their drivers read them, directly or through other areas."""
     reads = {}
     for driver in drivers:
         if driver["type"] == "area":

@@ -1,4 +1,4 @@
-"""Checks JSON field by field. Errors have the path of the field."""
+"""Checks values of a JSON document. Error messages include the path of the value."""
 
 import json
 import math
@@ -11,17 +11,22 @@ NAME_RULE = f"1 to {MAX_NAME_LENGTH} characters, none of them a control characte
 
 
 class FurrowError(Exception):
-    """Error of the form `module: problem, got VALUE, allowed: LIMIT; remedy`."""
+    """An error for the user, with a message of the form `module: problem, got VALUE, allowed: LIMIT; remedy`."""
 
 
 class Reader:
-    """Reads a JSON document. Every error starts with `who`."""
+    """
+    Checks values of a JSON document. Every error message starts with `who`.
+
+    The methods return the checked value, and raise FurrowError if it is invalid. `path` is the value's path for the
+    message, such as `areas[2].name`.
+    """
 
     def __init__(self, who):
         self.who = who
 
     def fail(self, problem, value, limit, remedy):
-        """Raise FurrowError."""
+        """Raise FurrowError. `limit` is omitted from the message if it is None."""
         shown = (
             "nothing" if value is None else json.dumps(value, ensure_ascii=False, separators=(",", ":"), default=repr)
         )
@@ -31,7 +36,6 @@ class Reader:
         raise FurrowError(f"{self.who}: {', '.join(parts)}; {remedy}")
 
     def object(self, value, path):
-        """Check an object."""
         if not isinstance(value, dict):
             self.fail(f"{path} must be an object", value, None, "write { ... }")
         return value
@@ -55,32 +59,28 @@ class Reader:
         return value
 
     def integer(self, value, path, low, high):
-        """Check an integer from `low` to `high`."""
         number = self.number(value, path, low, high)
         if number != int(number):
             self.fail(f"{path} must be a whole number", value, f"{low}..{high}", "write it without a fraction")
         return int(number)
 
     def text(self, value, path):
-        """Check text of 1 to 256 characters."""
         if not isinstance(value, str) or not 1 <= len(value) <= MAX_NAME_LENGTH:
             self.fail(f"{path} must be text", value, f"1 to {MAX_NAME_LENGTH} characters", "write it in quotes")
         return value
 
     def name(self, value, path):
-        """Check the name of a layer or area."""
         if not is_name(value):
             self.fail(f"{path} must be text", value, NAME_RULE, "choose another name")
         return value
 
     def choice(self, value, path, allowed):
-        """Check a value from `allowed`."""
         if value not in allowed:
             self.fail(f"{path} is unknown", value, " or ".join(map(str, allowed)), "use one of them")
         return value
 
     def curve(self, value, path, low, high):
-        """Check points [input, output] with increasing inputs, and outputs from `low` to `high`."""
+        """Check 2 to 64 points [input, output]. Inputs must increase, and outputs must be from `low` to `high`."""
         points = []
         for i, point in enumerate(self.array(value, path, 2, 64)):
             x, y = self.array(point, f"{path}[{i}]", 2, 2)
@@ -94,7 +94,11 @@ class Reader:
 
 
 def is_name(value):
-    """Whether a value can name a layer or area: no control characters, line breaks or unpaired surrogates."""
+    """
+    Return whether a value is a valid name of a layer or area.
+
+    Names have 1 to 256 characters. They have no control characters, line breaks or unpaired surrogates.
+    """
     if not isinstance(value, str) or not 1 <= len(value) <= MAX_NAME_LENGTH:
         return False
     return not re.search("[\u2028\u2029]", value) and not any(unicodedata.category(c) in ("Cc", "Cs") for c in value)

@@ -1,4 +1,4 @@
-"""Operators on the wrinkle set of the active material."""
+"""Defines the operators that change the wrinkle set of the active material."""
 
 from . import areas, layers, links, sets
 

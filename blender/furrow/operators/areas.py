@@ -1,4 +1,4 @@
-"""Operators on areas: from a vertex group, for weight painting, or from an image."""
+"""Operators that add areas, from a vertex group or from an image, and that remove areas."""
 
 import bpy
 
@@ -28,7 +28,7 @@ class FURROW_OT_area_from_vertex_group(WrinkleOperator, bpy.types.Operator):
     bl_idname = "furrow.area_from_vertex_group"
     bl_label = "Area from Vertex Group"
 
-    size: bpy.props.IntProperty(name="Size", default=128, min=2, max=8192, description="Texels on a side")
+    size: bpy.props.IntProperty(name="Size", default=128, min=2, max=8192, description="Width and height in texels")
 
     def run(self, context, tree):
         face = context.object
@@ -55,7 +55,7 @@ class FURROW_OT_area_remove(WrinkleOperator, bpy.types.Operator):
         area = active_area(tree)
         set_drivers(tree, remove_area(drivers_of(tree), area.name))
         index = wrinkles.areas.find(area.name)
-        # Resting activations are stored by index.
+        # Resting activations are stored by the index of the area, so those of later areas must move.
         rest = [item.activation for item in wrinkles.areas]
         wrinkles.areas.remove(index)
         for item, value in zip(wrinkles.areas, rest[:index] + rest[index + 1 :], strict=True):
@@ -65,7 +65,6 @@ class FURROW_OT_area_remove(WrinkleOperator, bpy.types.Operator):
 
 
 def add_area(tree, name, image):
-    """Add an area on the active layer, and make it active."""
     wrinkles = tree.furrow
     if len(wrinkles.areas) >= MAX_AREAS:
         raise FurrowError(f"Furrow: too many areas, allowed: {MAX_AREAS}; merge areas that move together")

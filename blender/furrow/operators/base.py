@@ -1,4 +1,4 @@
-"""Shared code of the operators."""
+"""Code that the operators share."""
 
 import json
 
@@ -7,7 +7,12 @@ from ..material import wrinkle_group
 
 
 class WrinkleOperator:
-    """Base of operators on the active material's wrinkle set. Subclasses implement `run`; a FurrowError is reported."""
+    """
+    Base class of operators that change the wrinkle set of the active material.
+
+    Subclasses implement `run(context, tree)`, where `tree` is the wrinkle group. If `run` raises FurrowError or
+    LookupError, Blender shows the message.
+    """
 
     bl_options = {"REGISTER", "UNDO"}
 
@@ -33,7 +38,6 @@ def active_area(tree):
 
 
 def drivers_of(tree):
-    """Return the drivers as a list of dicts."""
     return [json.loads(driver.json) for driver in tree.furrow.drivers]
 
 
@@ -44,7 +48,7 @@ def set_drivers(tree, drivers):
 
 
 def free_name(name, named):
-    """Make a name unique by appending a number."""
+    """Return a free name: `name`, with a number appended if an item in `named` already has this name."""
     taken = {item.name for item in named}
     count, found = 1, name
     while found in taken:

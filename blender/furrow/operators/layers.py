@@ -1,4 +1,4 @@
-"""Operators on layers: from images, or from a multires sculpt."""
+"""Operators that add and remove layers, and that bake a sculpt into a layer."""
 
 import bpy
 
@@ -44,19 +44,18 @@ class FURROW_OT_layer_bake(WrinkleOperator, bpy.types.Operator):
     bl_idname = "furrow.layer_bake"
     bl_label = "Bake Multires Sculpt"
 
-    size: bpy.props.IntProperty(name="Size", default=1024, min=16, max=8192, description="Texels on a side")
+    size: bpy.props.IntProperty(name="Size", default=1024, min=16, max=8192, description="Width and height in texels")
 
     def run(self, context, tree):
         wrinkles = tree.furrow
         image = bake_sculpt(context.object, context.object.active_material, self.size)
         layer = wrinkles.layers[wrinkles.active_layer] if wrinkles.layers else add_layer(tree, "sculpt")
-        # A bake has only the sculpt's details.
+        # The baked map shows only details of the sculpt, so it must be added to the material's normal map.
         layer.kind = "detail"
         layer.normal = image
 
 
 def add_layer(tree, name):
-    """Add an empty layer, and make it active."""
     wrinkles = tree.furrow
     if len(wrinkles.layers) >= MAX_LAYERS:
         raise FurrowError(f"Furrow: too many layers, allowed: {MAX_LAYERS}; put areas on an existing layer")

@@ -1,4 +1,4 @@
-"""Operators on drivers: links to shape keys, and removing drivers."""
+"""Operators that link areas to shape keys, and that remove links and drivers."""
 
 import bpy
 
@@ -14,7 +14,7 @@ class FURROW_OT_link_shape_key(WrinkleOperator, bpy.types.Operator):
     bl_idname = "furrow.link_shape_key"
     bl_label = "Link Active Shape Key"
 
-    target: bpy.props.StringProperty(name="Shape Key", description="Empty for the active one")
+    target: bpy.props.StringProperty(name="Shape Key", description="If empty, the active shape key")
     weight: bpy.props.FloatProperty(name="Weight", default=1, min=-1000, max=1000, soft_min=-1, soft_max=1)
     start: bpy.props.FloatProperty(
         name="From", default=0, min=-1000, max=1000, description="Shape key value at which the area starts to activate"

@@ -1,4 +1,4 @@
-"""Operators that create, remove, or automatically make a wrinkle set."""
+"""Operators that add an empty wrinkle set, make one automatically, and remove one."""
 
 import bpy
 
@@ -54,7 +54,9 @@ class FURROW_OT_make_automatically(bpy.types.Operator):
     bl_label = "Make Wrinkles Automatically"
     bl_options = {"REGISTER", "UNDO"}
 
-    age: bpy.props.IntProperty(name="Age", default=45, min=20, max=80, description="Years. Adds and deepens lines")
+    age: bpy.props.IntProperty(
+        name="Age", default=45, min=20, max=80, description="Years. Older faces have more and deeper lines"
+    )
     size: bpy.props.EnumProperty(
         name="Size", items=[(s, s, f"{s} texels") for s in ("512", "1024", "2048", "4096")], default="1024"
     )
@@ -82,7 +84,7 @@ class FURROW_OT_make_automatically(bpy.types.Operator):
         insert_group(material, tree)
 
     def execute(self, context):
-        """Run the command and wait, for scripts."""
+        """Run the command and wait until it is done. Scripts use this method."""
         try:
             self.start(context)
         except FurrowError as error:
@@ -91,7 +93,7 @@ class FURROW_OT_make_automatically(bpy.types.Operator):
         return self.end()
 
     def invoke(self, context, _event):
-        """Run the command in the background."""
+        """Run the command in the background. The user interface uses this method."""
         try:
             self.start(context)
         except FurrowError as error:
@@ -124,7 +126,7 @@ class FURROW_OT_make_automatically(bpy.types.Operator):
 
 
 def remove_set(material):
-    """Restore the plain material."""
+    """Remove the wrinkle group from a material, and delete the group if no other material uses it."""
     node = group_node(material)
     tree = node.node_tree
     detach_group(material)

@@ -1,4 +1,4 @@
-"""Fixtures for tests in Blender's Python, without a window."""
+"""Shared code of the tests that run in Blender without a window."""
 
 import json
 import struct
@@ -18,7 +18,7 @@ FLAT = (128, 128, 255)
 
 
 class BlenderTest(unittest.TestCase):
-    """Provides an empty scene with the extension enabled, and a temporary folder, per test."""
+    """Provides an empty scene, with the extension enabled, and a temporary folder for each test."""
 
     def setUp(self):
         self.empty()
@@ -32,18 +32,18 @@ class BlenderTest(unittest.TestCase):
         addon_utils.enable("furrow", default_set=True)
 
     def import_face(self, path):
-        """Import a file. Returns the node group of the first material with wrinkles, or None."""
+        """Import a file. Returns the wrinkle group of the first material that has one, or None."""
         self.assertEqual(bpy.ops.import_scene.gltf(filepath=str(path)), {"FINISHED"})
         return next((group for group in map(wrinkle_group, bpy.data.materials) if group), None)
 
     def export_face(self, name="out.glb", **options):
-        """Export the scene. Returns the path."""
+        """Export the scene to the temporary folder. Returns the path of the file."""
         path = self.folder / name
         self.assertEqual(bpy.ops.export_scene.gltf(filepath=str(path), **options), {"FINISHED"})
         return path
 
     def write_face(self, document, images, name="face.glb", **more):
-        """Write a small face with wrinkles. Returns the path."""
+        """Write a small face with wrinkles to the temporary folder. Returns the path of the file."""
         path = self.folder / name
         path.write_bytes(small_face(**more))
         add_wrinkles(path, {"skin": (document, images)})
@@ -51,7 +51,6 @@ class BlenderTest(unittest.TestCase):
 
 
 def set_weights(group, weights):
-    """Set shape keys by name, and update the drivers."""
     blocks = group.furrow.face.data.shape_keys.key_blocks
     for name, value in weights.items():
         blocks[name].slider_min, blocks[name].slider_max = -10, 10
@@ -60,7 +59,7 @@ def set_weights(group, weights):
 
 
 def document(areas=("nose",), layers=None, drivers=()):
-    """Create a valid document: layers use texture 0, areas texture 1."""
+    """Create a valid document in which all layers use texture 0, and all areas use texture 1."""
     texture = {"index": 1}
     defaults = {"layer": 0, "texture": texture, "channel": 0, "combine": "sum", "activation": 0}
     return {
@@ -71,7 +70,7 @@ def document(areas=("nose",), layers=None, drivers=()):
 
 
 def image(name, pixel, size=8):
-    """Encode a PNG. `pixel`: (red, green, blue), or a function of column and row that returns them."""
+    """Encode a PNG. `pixel`: (red, green, blue), or a function of column and row that returns such a tuple."""
     rows = b""
     for y in range(size):
         rows += b"\0" + b"".join(bytes(pixel(x, y) if callable(pixel) else pixel) for x in range(size))
@@ -85,9 +84,9 @@ def image(name, pixel, size=8):
 
 def small_face(targets=(), normal=None, material=None):
     """
-    Create a `.glb` of a square of one metre, covered once by its texture.
+    Create a `.glb` file with a square of one metre, which its texture covers exactly once.
 
-    `targets`: names of shape keys; each lifts a corner. `normal`: ImageFile of the material's normal map.
+    `targets`: names of shape keys, each of which lifts a corner. `normal`: ImageFile of the material's normal map.
     """
     positions = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
     arrays = [
@@ -142,7 +141,7 @@ def small_face(targets=(), normal=None, material=None):
 
 
 def wrinkles_of(path, material="skin"):
-    """Return a material's extension, and the file with its images."""
+    """Return the wrinkle extension of a material in a file, and the GltfFile with its images."""
     file = GltfFile(path)
     json_ = next(item for item in file.json["materials"] if item["name"] == material)
     return json_.get("extensions", {}).get("FURROW_wrinkle_maps"), file

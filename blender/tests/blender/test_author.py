@@ -1,4 +1,4 @@
-"""Authoring a set on a plain material, from areas, layers and links to a valid export."""
+"""Tests that a user can add a wrinkle set to a material, edit its areas, layers and links, and export a valid file."""
 
 import os
 import stat
@@ -65,7 +65,7 @@ class AuthorTest(BlenderTest):
         drawn = draw_weights(corners, [[0, 1, 1], [0, 1, 0]], 16)
         expected = np.tile((np.arange(16) + 0.5) / 16, (16, 1))
         np.testing.assert_allclose(drawn, expected, atol=1e-6)
-        # The margin ends two texels from the island.
+        # The margin is two texels wide.
         small = draw_weights([[(0, 0), (0.25, 0), (0, 0.25)]], [[1, 1, 1]], 16, margin=2)
         self.assertEqual(small[5, 0], 1)
         self.assertEqual(small[8, 8], 0)
@@ -144,13 +144,13 @@ class AuthorTest(BlenderTest):
         layer = tree.furrow.layers[0]
         self.assertEqual(layer.kind, "detail")
         normals = np.array(layer.normal.pixels).reshape(32, 32, 4)[..., :3] * 2 - 1
-        # On a hill, normals on the left lean to the left.
+        # The sculpt is a hill, so normals on its left lean to the left.
         self.assertLess(normals[16, 4, 0], -0.1)
         self.assertGreater(normals[16, 27, 0], 0.1)
         self.assertGreater(normals[..., 2].min(), 0)
 
     def sculpt(self, modifier):
-        """Lift the middle, like a brush."""
+        """Lift the middle of the mesh, as a sculpting brush would."""
         copy = self.face.copy()
         copy.data = self.face.data.copy()
         copy.shape_key_clear()
@@ -191,7 +191,7 @@ class AuthorTest(BlenderTest):
         self.assertIsNone(wrinkle_group(self.face.active_material))
 
     def command(self, code):
-        """Set the preferred command to a script with some Python code."""
+        """Set the command in the preferences to a script that runs Python code."""
         path = self.folder / "furrow-command"
         path.write_text(f"#!{sys.executable}\n{code}\n")
         os.chmod(path, path.stat().st_mode | stat.S_IEXEC)

@@ -1,8 +1,8 @@
 """
-Activations and refusals of the conformance suite's samples.
+Compares activations and error messages with the expected results of the conformance suite's samples.
 
-test_shading.py compares rendered normals and colours. FURROW_CONFORMANCE_REPORT names a JSON file to write the results
-to, for the table of docs/conformance.md.
+test_shading.py compares rendered normals and colours. If the environment variable FURROW_CONFORMANCE_REPORT names a
+file, the results are written to it as JSON, for the table of docs/conformance.md.
 """
 
 import json
@@ -16,7 +16,7 @@ from support import ROOT, BlenderTest, set_weights
 
 FILES = ROOT / "conformance" / "files"
 
-# Unsupported samples, with reasons.
+# Samples that Blender does not support, with reasons.
 MISSING = {
     "ktx2": "KTX 2 images",
     "meshopt": "Blender does not read EXT_meshopt_compression",
@@ -67,7 +67,7 @@ class ConformanceTest(BlenderTest):
                 self.assertAlmostEqual(activations[name], activation, delta=1e-6, msg=name)
 
     def pose_node(self, item, pose):
-        """Rotate and move a node, from glTF's Y-up to Blender's Z-up."""
+        """Rotate and move a node. Converts the pose from glTF's axes (+Y up) to Blender's (+Z up)."""
         x, y, z, w = pose.get("rotations", {}).get(item.name, (0, 0, 0, 1))
         item.rotation_mode = "QUATERNION"
         item.rotation_quaternion = (w, x, -z, y)

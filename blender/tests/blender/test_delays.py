@@ -1,4 +1,4 @@
-"""Delayed activations follow their drivers from frame to frame."""
+"""Tests that delayed activations follow their drivers from frame to frame."""
 
 import math
 import unittest
@@ -51,7 +51,7 @@ class DelaysTest(BlenderTest):
         self.scene.frame_set(3)
         shown = self.shown()
         self.assertLess(shown, 0.5)
-        # Motion blur goes back and forth by parts of a frame.
+        # Motion blur goes back and forth by fractions of a frame.
         for frame, part in ((3, 0.0), (2, 0.75), (3, 0.0)):
             self.scene.frame_set(frame, subframe=part)
             self.assertAlmostEqual(self.shown(), shown, 6)
@@ -88,7 +88,11 @@ class DelaysTest(BlenderTest):
         return value
 
     def show_in_background(self):
-        """Create a camera on a world whose strength is the area's activation. Returns the strength socket."""
+        """
+        Create a camera, and a world background whose brightness is the activation of the area.
+
+        Returns the socket of the brightness.
+        """
         world = bpy.data.worlds.new("world")
         world.use_nodes = True
         background = world.node_tree.nodes["Background"].inputs["Strength"]

@@ -1,4 +1,4 @@
-"""Compares Blender's activations with the plan in float64 and with the CLI."""
+"""Compares Blender's activations with those of the plan, evaluated in float64, and those of the command line tool."""
 
 import json
 import random
@@ -65,7 +65,7 @@ class DriversTest(BlenderTest):
             self.check(group, AREAS, evaluate_plan(plan, lambda source, read=read: read[source.kind][source.name]))
 
     def test_blender_evaluates_expressions_without_running_python(self):
-        """Blender runs no scripts of untrusted files, but evaluates simple expressions."""
+        """In untrusted files, Blender runs no Python, but still evaluates simple expressions."""
         small = self.write_face(document(AREAS, drivers=DRIVERS), IMAGES, targets=TARGETS)
         for path in (small, ROOT / "faces" / "hand.glb", ROOT / "faces" / "neck.glb"):
             self.empty()
@@ -77,7 +77,11 @@ class DriversTest(BlenderTest):
                 self.assertLess(len(driver.expression), 255)
 
     def test_no_step_is_written_back_by_another_thread(self):
-        """Tests the cause, driven properties of the group itself (see rig.py), because the effect is rare."""
+        """
+        Test that the group has no driven properties of its own, because Blender sometimes reverts them (see rig.py).
+
+        The effect is too rare to be tested.
+        """
         group = self.import_face(self.write_face(document(AREAS, drivers=DRIVERS), IMAGES, targets=TARGETS))
         drivers = group.animation_data.drivers
         self.assertGreater(len(drivers), 20)
@@ -143,14 +147,15 @@ class DriversTest(BlenderTest):
         found = [(i, item) for i, item in enumerate(drivers) if item["type"] == "bone" and "axis" in item]
         self.assertTrue(found)
         for bone in armature.pose.bones:
-            # The file has a pose.
+            # The file is posed, so bones are rotated back to rest.
             bone.rotation_quaternion = (1, 0, 0, 0)
         rests = _inverse_bind_rotations(GltfFile(ROOT / "faces" / "neck.glb"))
         for i, driver in found:
             bone = armature.pose.bones[driver["joints"][1]]
             bone.rotation_mode = "QUATERNION"
             for angle in (-0.6, -0.2, 0.3, 0.7):
-                # From the joint's rest frame to the world (Y-up, then Z-up), then to the bone's frame.
+                # Converts the axis from the rest frame of the joint to glTF's world (+Y up), then to Blender's world
+                # (+Z up), and then to the frame of the bone.
                 x, y, z = rests[bone.name].transposed() @ Vector(driver["axis"])
                 own = bone.bone.matrix_local.to_3x3().inverted() @ Vector((x, -z, y))
                 bone.rotation_quaternion = Quaternion(own, angle)

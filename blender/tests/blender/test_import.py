@@ -1,4 +1,4 @@
-"""Import of valid and damaged files."""
+"""Tests the import of valid and damaged files."""
 
 import json
 import unittest

@@ -1,4 +1,4 @@
-"""Blender's validator accepts the .zip, and Blender installs it as an extension."""
+"""Tests that Blender accepts the .zip as valid, and installs it as an extension."""
 
 import subprocess
 import sys

@@ -1,4 +1,4 @@
-"""Draws the panel on a layout that checks properties and operators."""
+"""Tests that the panel only uses properties and operators that exist. Draws it on a fake layout."""
 
 import unittest
 from types import SimpleNamespace
@@ -12,7 +12,7 @@ IMAGES = [image("normal", FLAT), image("areas", (255, 0, 0))]
 
 
 class Layout:
-    """Replaces Blender's layout, which needs a window."""
+    """Replaces Blender's layout, which would need a window."""
 
     def __init__(self):
         self.lines = []

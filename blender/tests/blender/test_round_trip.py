@@ -1,4 +1,4 @@
-"""Import and export keep layers, areas, drivers and pixels, in valid files."""
+"""Tests that import and export keep layers, areas, drivers and pixels, and write valid files."""
 
 import base64
 import subprocess
@@ -12,13 +12,13 @@ from furrow.format.document import SLOTS, read_document
 from furrow.material import group_node
 from support import FLAT, ROOT, BlenderTest, document, image, wrinkles_of
 
-#: 8 x 8 texels of (128, 128, 255), lossless.
+#: A lossless WebP image of 8 x 8 texels with the colour (128, 128, 255), as base64.
 WEBP = "UklGRh4AAABXRUJQVlA4TBEAAAAvB8ABAAdQwAL2v/+BiOh/AAA="
 IMAGES = [image("normal", FLAT), image("areas", lambda x, y: (x * 30, y * 30, 90))]
 
 
 def comparable(path):
-    """Read a document with image bytes instead of texture indices, and rounded numbers."""
+    """Read the document of a file. Replaces texture indices by the bytes of the images, and rounds numbers."""
     extension, file = wrinkles_of(path)
     found = read_document(extension, file.texture_count)
     for owner, slots in ((found["layers"], SLOTS), (found["areas"], ["texture"])):
@@ -49,7 +49,7 @@ class RoundTripTest(BlenderTest):
 
     def test_the_shipped_face(self):
         written = self.check(ROOT / "faces" / "human.glb")
-        # Blender's exporter found the plain face's textures.
+        # Blender's exporter found the textures of the material, although the wrinkle group is linked to them.
         material = next(item for item in wrinkles_of(written)[1].json["materials"] if item["name"] == "skin")
         self.assertIn("normalTexture", material)
         self.assertIn("baseColorTexture", material["pbrMetallicRoughness"])
@@ -76,7 +76,7 @@ class RoundTripTest(BlenderTest):
         made = document()
         made["shapes"] = [{"mesh": "face", "target": "a", "shape": "jawOpen"}, {"mesh": "other", "target": "a"}]
         path = self.write_face(made, IMAGES, targets=["a"])
-        # Blender appends a number to existing names.
+        # If an object or a mesh with this name exists, Blender appends a number to the name of the imported one.
         bpy.data.objects.new("face", bpy.data.meshes.new("face"))
         self.import_face(path)
         written = wrinkles_of(self.export_face())[0]["shapes"]

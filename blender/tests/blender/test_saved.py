@@ -1,4 +1,4 @@
-"""Wrinkles in a saved .blend work without the imported file, and without the extension."""
+"""Tests that wrinkles in a saved .blend file work without the imported glTF file, and without the extension."""
 
 import unittest
 

@@ -1,4 +1,4 @@
-"""Compares the nodes' values, rendered by Cycles, with the specification's formulas in float64, texel by texel."""
+"""Renders the nodes in Cycles, and compares each texel with the formulas of the specification, in float64."""
 
 import math
 import random
@@ -19,7 +19,7 @@ def noise(seed, low=0, high=255):
 
 
 def normals(seed):
-    """Create unit normals tilted by less than 60 degrees."""
+    """Create random unit normals that are tilted by less than 60 degrees."""
     rng = random.Random(seed)
 
     def pixel():
@@ -38,7 +38,8 @@ PIXELS = {
     "areas": noise(5),
     "color": noise(6),
 }
-PIXELS["blood"] = noise(7)
+PIXELS["blood"] = noise(7, 0, 160)
+PIXELS["onset"] = noise(8, 0, 160)
 FILES = [image(name, pixel, SIZE) for name, pixel in PIXELS.items()]
 INDEX = {name: {"index": i} for i, name in enumerate(PIXELS)}
 LAYERS = [
@@ -57,7 +58,9 @@ LAYERS = [
     {"name": "three", "kind": "detail", "normalTexture": {**INDEX["three"], "scale": 0.8}},
 ]
 LAYERS[2]["bloodTexture"] = {**INDEX["blood"], "amplitude": 0.7}
-#: Name, layer, channel, combine, activation.
+LAYERS[0]["onsetTexture"] = {**INDEX["onset"], "strength": 0.8}
+LAYERS[2]["onsetTexture"] = {**INDEX["blood"], "strength": 1}
+#: Areas: name, layer, channel, combine and activation.
 AREAS = [
     ("a", 0, 0, "sum", 0.9),
     ("b", 0, 1, "sum", 0.8),
@@ -79,7 +82,14 @@ def influences(x, y):
         own = [(weights[channel] * activation, kind) for _, at, channel, kind, activation in AREAS if at == layer]
         total = min(1, sum(value for value, kind in own if kind == "sum"))
         out.append(max([total, *(value for value, kind in own if kind == "max")]))
+    out[0] = delay(out[0], PIXELS["onset"](x, y)[1] / 255, 0.8)
+    out[2] = delay(out[2], PIXELS["blood"](x, y)[1] / 255, 1)
     return out
+
+
+def delay(influence, onset, strength):
+    t = min(1, max(0, 1 - (1 - influence) / max(1 - onset, 1 / 255)))
+    return influence + strength * (t * (2 - t) - influence)
 
 
 def unpack(pixel, scale=1):
@@ -141,7 +151,7 @@ class ShadingTest(BlenderTest):
         self.assertLess(worst, tolerance)
 
     def render(self, output):
-        """Render an output of the group as emission, one pixel per texel."""
+        """Render an output of the group as emission, with one pixel per texel."""
         material = next(item for item in bpy.data.materials if group_node(item))
         tree = material.node_tree
         emission = tree.nodes.new("ShaderNodeEmission")
@@ -151,7 +161,7 @@ class ShadingTest(BlenderTest):
         scene = bpy.context.scene
         camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
         camera.data.type, camera.data.ortho_scale = "ORTHO", 1
-        # The square faces -Y in Blender (glTF's Z).
+        # The square faces +Z in glTF, which is -Y in Blender.
         camera.location, camera.rotation_euler = (0.5, -1, 0.5), (math.pi / 2, 0, 0)
         scene.collection.objects.link(camera)
         scene.camera = camera
@@ -159,7 +169,7 @@ class ShadingTest(BlenderTest):
         scene.cycles.samples = 1
         scene.cycles.use_denoising = False
         scene.cycles.pixel_filter_type = "BOX"
-        # Rays without jitter hit the texels' centres.
+        # With a narrow filter, rays hit the centres of texels.
         scene.cycles.filter_width = 0.01
         scene.render.resolution_x = scene.render.resolution_y = SIZE
         scene.view_settings.view_transform = "Raw"

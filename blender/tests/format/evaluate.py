@@ -1,11 +1,11 @@
-"""Evaluates a plan's steps in float64, as a reference for tests."""
+"""Evaluates the steps of a plan in float64, as a reference for tests."""
 
 import math
 from itertools import pairwise
 
 
 def evaluate_plan(plan, read):
-    """Return values by step. `read`: function from a source other than a step to its number."""
+    """Return the values of all steps by name. `read`: function that returns the value of a source that is no step."""
     values = {}
     pending = list(plan.steps)
     while pending:
@@ -18,7 +18,7 @@ def evaluate_plan(plan, read):
 
 
 def curve_at(curve, x):
-    """Evaluate a piecewise linear curve, constant beyond the ends."""
+    """Evaluate a piecewise linear curve at `x`. It is constant beyond its ends."""
     if not x > curve[0][0]:
         return curve[0][1]
     for (x0, y0), (x1, y1) in pairwise(curve):

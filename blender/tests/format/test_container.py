@@ -1,4 +1,4 @@
-"""Reading images, and adding wrinkles to existing files."""
+"""Tests reading images, and adding wrinkles to existing files."""
 
 import base64
 import json

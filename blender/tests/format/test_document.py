@@ -1,4 +1,4 @@
-"""Valid and invalid documents."""
+"""Tests which documents are accepted, and which errors the others raise."""
 
 import copy
 import unittest
@@ -24,7 +24,7 @@ VALID = {
 
 
 def change(path, value):
-    """Copy the valid document with one field changed, or removed if `value` is None."""
+    """Copy the valid document with another value for one field. Removes the field if `value` is None."""
     json = copy.deepcopy(VALID)
     item = json
     for key in path[:-1]:

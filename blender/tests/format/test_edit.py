@@ -1,4 +1,4 @@
-"""Edits of a document's drivers."""
+"""Tests edits of the drivers of a document."""
 
 import unittest
 

@@ -1,4 +1,4 @@
-"""Compares planned drivers with the rules of the specification."""
+"""Compares the activations that planned drivers compute with the rules of the specification."""
 
 import unittest
 
