@@ -6,7 +6,7 @@ import { ROOT } from './run.mjs'
 const CHECKED = /\.(ts|tsx|mjs|js|py|md)$/
 
 /** Files that are not checked: licences, generated data, and pages that will be replaced. */
-const SKIPPED = /THIRD_PARTY_NOTICES\.md$|templates\/template-data\.ts$|^docs\/(auto|studio)\.md$/
+const SKIPPED = /THIRD_PARTY_NOTICES\.md$|templates\/template-data\.ts$|^docs\/studio\.md$/
 
 const MAX_WORDS = 30
 
