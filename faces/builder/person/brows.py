@@ -55,7 +55,10 @@ def strokes(look: dict, side: str, seed: int) -> list[np.ndarray]:
 
 
 def _point_at(line: np.ndarray, t: float) -> np.ndarray:
-    """Returns the point (2,) of a polyline (n, 2) at the fraction `t` of its segments."""
+    """Returns the point (2,) of a polyline (n, 2) at `t`: 0 is the first vertex, 1 the last.
+
+    All segments get equal shares of `t`, even if their lengths differ.
+    """
     grid = np.linspace(0, 1, len(line))
     return np.array([np.interp(t, grid, line[:, k]) for k in (0, 1)])
 
@@ -88,7 +91,10 @@ def shell_map(look: dict) -> tuple[str, bytes]:
 
 
 def brow_part(skin: Part) -> Part:
-    """Builds the shell: a copy of the skin around both brows, lifted by `HEIGHT`, with the targets that move it."""
+    """Builds the shell: a copy of the skin around both brows, lifted by `HEIGHT`.
+
+    The shell keeps only the morph targets that move it by more than 0.3 mm.
+    """
     u0, v0, u1, v1 = BOX
     chosen, uv = [], np.zeros_like(skin.uv)
     for side, left in (("right", 0.0), ("left", 0.5)):

@@ -11,7 +11,8 @@ from .head import Head
 # Offset in metres from the centre of MakeHuman's helper eye, which is flattened, to the centre of a sphere that touches
 # the lids.
 OFFSET = np.array([0.0, -0.9e-3, 0.6e-3])
-# Depth in metres of the innermost point of the lids' edge inside the eyeball. It closes gaps at the corners of the eye.
+# Metres by which the eyeball's radius exceeds the distance from its centre to the nearest point of the lids' edge. The
+# overlap closes gaps at the corners of the eye.
 BITE = 0.35e-3
 IRIS_RADIUS = 5.85e-3  # metres; an adult's iris has a diameter of 11.7 mm (Rüfer, Schröder, Erb 2005)
 CORNEA_RISE = 1.1e-3  # height of the cornea above the sphere, metres
@@ -104,6 +105,7 @@ def shade_part(head: Head, mesh: Mesh) -> Part:
 
 
 # Rows of a band: distance from the edge of the lid in metres, opacity at the upper lid, and opacity at the lower lid.
+# Distances are positive towards the middle of the eye's opening, and negative under the lid.
 SHADE = [(-0.8e-3, 0.85, 0.7), (0.2e-3, 0.75, 0.5), (1.2e-3, 0.42, 0.2), (2.6e-3, 0.16, 0.05), (4.6e-3, 0.0, 0.0)]
 
 

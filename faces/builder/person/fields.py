@@ -12,7 +12,7 @@ from . import landmarks
 class Fields:
     """Creates fields over the skin's texture, as arrays (size, size).
 
-    `space`: position of each texel on this skin, metres. `near`: mask of the texels that are on the skin, or up to 8
+    `space`: position of each texel in the model, metres. `near`: mask of the texels that are on the skin, or up to 8
     texels away from it.
     """
 

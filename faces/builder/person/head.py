@@ -84,8 +84,8 @@ def cut_at_the_back(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Splits the vertices along the UV seam, which runs down the back of the head and the nape.
 
-    `island` (f,): mask of the quads in the head's UV island. Returns the quads as indices of split vertices, and the
-    index of the original vertex for each split vertex.
+    `island` (f,): mask of the quads in the head's UV island. Returns the quads as indices of the vertices after the
+    split, and for each of these vertices the index of its original.
     """
     pairs = np.unique(np.stack([quads[island].ravel(), uv_quads[island].ravel()], 1), axis=0)
     vertex, copies = np.unique(pairs[:, 0], return_counts=True)
@@ -180,7 +180,8 @@ def thin_out(neck: np.ndarray, beside: np.ndarray) -> np.ndarray:
 
     `neck` (f, 4, 4): vertices of the four fine quads that replaced each original quad, in the order of `catmull_clark`:
     corner, edge point, face point, edge point. `beside`: quads of the fine skin that borders on the neck. The triangles
-    use the corners of the original quads. A quad on the border becomes a fan around an edge point, so no gaps appear.
+    use the corners of the original quads. Where an original quad borders on `beside`, its triangles also use the edge
+    points on the border, so that no gap opens there.
     """
     meeting = np.isin(neck[:, :, 1], beside)
     triangles = []

@@ -11,7 +11,8 @@ from ..source import Mesh
 from ..subdivide import catmull_clark, vertex_normals
 from .head import Head, mouth_lining, socket_lining
 
-# Width and height of each crown in millimetres (Wheeler's Dental Anatomy, rounded). The first tooth is in the middle.
+# Width and height of the crowns of half a row, from the central incisor to the back, millimetres (Wheeler's Dental
+# Anatomy, rounded).
 UPPER = [(8.6, 10.4), (6.7, 9.2), (7.6, 10.2), (7.0, 8.6), (6.8, 8.0), (9.8, 7.4)]
 LOWER = [(5.4, 8.8), (5.9, 9.2), (6.8, 10.4), (7.0, 8.6), (7.1, 8.0)]
 INCISORS_AND_CANINES = 3

@@ -25,7 +25,10 @@ const EXCLUDED_OPTIONS = ['output', 'force', 'json', 'report', 'strokes', 'sheet
 
 const countOf = (list: unknown) => (Array.isArray(list) ? list.length : list)
 
-/** Replaces the lists of layers and areas with their lengths, to keep the results file small. */
+/**
+ * Counts layers and areas instead of listing them, and drops skipped regions, to keep the results file small. Drops the
+ * path and the warnings, because a line of the results has both in other fields.
+ */
 function summarizeFace(printed: Record<string, unknown>) {
   const { file, layers, areas, areasWithoutLines = [], missing, warnings, ...rest } = printed
   return { ...rest, layers: countOf(layers), areas: countOf([areas, areasWithoutLines].flat()) }
