@@ -79,8 +79,8 @@ export function writeFigures(ratios) {
 /** Returns a warning for each ratio that exceeds its stored figure by more than `ALLOWED`. */
 export function warnings(ratios, figures) {
   return grownNames(ratios, figures).map((name) => {
-    const change = `from ${figures[name].toFixed(2)} to ${ratios[name].toFixed(2)} of the plain face`
-    return `frame: ${name} has grown ${change}; measure again on an idle machine, and if intended, run \`npm run ratios -- --write\``
+    const change = `from ${figures[name].toFixed(2)} to ${ratios[name].toFixed(2)} times the frame time of the plain face`
+    return `frame: ${name} has grown ${change}; measure again on an idle machine. If the growth is intended, run \`npm run ratios -- --write\``
   })
 }
 

@@ -45,7 +45,7 @@ async function writeLow(from, to) {
   await io.write(to, document)
 }
 
-/** Creates automatic wrinkles for a face. Returns their lines as strokes, and the scale of the face. */
+/** Creates automatic wrinkles for a face. Returns a strokes document: the lines, and `scale`, the millimetres per unit of the face's positions. */
 async function automaticLines(server, path) {
   const { autoWrinkles } = await server.ssrLoadModule('/packages/furrow/src/author/index.ts')
   const { strokesOf } = await server.ssrLoadModule('/packages/furrow/internal/index.ts')
@@ -55,7 +55,7 @@ async function automaticLines(server, path) {
   return strokesOf(autoWrinkles(skin, { size: 256 }))
 }
 
-/** Writes a project with `count` lines in one layer. Its only area has activation 1, so all lines are visible at rest. */
+/** Writes a project with `count` lines in one layer. The image of its only area is black, so the face does not show these lines until they are edited. */
 async function writeProject(folder, face, { strokes, scale }, count) {
   mkdirSync(join(folder, 'areas'), { recursive: true })
   mkdirSync(join(folder, 'layers/lines'), { recursive: true })

@@ -21,7 +21,7 @@ def command_path(preferred):
     """
     Return the path of the command `furrow`. Raises FurrowError if it is missing.
 
-    `preferred`: path from the preferences. If it is empty, the command is searched on PATH.
+    `preferred`: path from the preferences. If it is empty, `furrow` is looked up on PATH.
     """
     found = shutil.which(bpy.path.abspath(preferred)) if preferred else shutil.which("furrow")
     if found is None:

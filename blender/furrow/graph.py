@@ -5,7 +5,8 @@ import bpy
 
 class Graph:
     """
-    Adds nodes to a tree. Each node is placed to the right of the nodes that it reads.
+    Adds nodes to a tree. Each node is placed to the right of the nodes that it reads. Nodes of `vector` are an
+    exception: they are placed in the first column.
 
     Methods take constants, or output sockets of other nodes, as inputs. All methods except `node` return output sockets
     of the new node.

@@ -30,7 +30,7 @@ class _Joint:
     bone: str
     """Name of the bone if `owner` is an armature. Empty if the owner itself is the joint."""
     rest: Quaternion
-    """Rotation of the bone or object at rest."""
+    """Rest rotation: of a bone in the space of its armature, of an object in world space."""
     frame: Quaternion | None
     """Rotation from the glTF joint's frame to the frame of the bone or object, in the rest pose. None if unknown."""
 
@@ -97,7 +97,8 @@ def read_joint(driver, measured):
 
 def store_frames(armature, rest_of):
     """
-    Store the property `FRAME` on each bone. It converts the axes of drivers.
+    Store the property `FRAME` on the bones of glTF joints. With it, `_measure` converts the axis of a driver from the
+    frame of the glTF joint to the frame of the bone.
 
     `rest_of`: function that takes the name of a bone, and returns the rest rotation of its glTF joint in skin space, a
     3 x 3 matrix. It returns None for bones that are no joints.

@@ -25,7 +25,12 @@ def wrinkle_group(material):
 
 
 def insert_group(material, group):
-    """Insert a group into a material, unless the material has one, and link its sockets. Keeps existing links."""
+    """
+    Insert a wrinkle group into a material, and link the group's sockets to the textures and the shader.
+
+    If the material already has a wrinkle group, links the sockets of that group instead. Outputs that are already
+    linked stay as they are. Returns the group's node. Raises LookupError if the material has no Principled BSDF.
+    """
     tree = material.node_tree
     shader = shader_node(tree)
     node = group_node(material)
@@ -90,7 +95,7 @@ def _shaders(tree):
 
 def _link(tree, node, name, target):
     """
-    Insert the group between a texture and the sockets that read the texture.
+    Insert the group between a texture and the socket that reads the texture.
 
     `name`: name of a group input. The group output with the same name adds wrinkles to this value.
     `target`: the shader's socket, to which the texture is linked directly or through other nodes.
@@ -113,10 +118,11 @@ def _link(tree, node, name, target):
 
 def _find_texture(target):
     """
-    Find the texture, or the separated channel of a texture, on which `target` depends. Returns its socket, and a list
-    of the sockets that read it.
+    Find the texture, or the separated channel of a texture, on which `target` depends.
 
-    Without a texture, returns the socket linked to `target`, and `[target]`. Returns None if `target` is not linked.
+    Returns the output socket of the texture or channel, and a list with the input socket that reads it. This input is
+    `target`, or belongs to a node between texture and `target`. Without a texture, returns the socket linked to
+    `target`, and `[target]`. Returns None if `target` is not linked.
     """
     if not target.links:
         return None

@@ -39,7 +39,7 @@ def image_from_vertex_group(face, group, size):
 
 def bake_sculpt(face, material, size):
     """
-    Bake a new normal map of the details that a sculpt adds to the lowest level of its Multires modifier.
+    Bake a new normal map of the details that are sculpted on a face above level 0 of the face's Multires modifier.
 
     `size`: width and height in texels. Raises FurrowError without a subdivided Multires modifier, or if the bake fails.
     """

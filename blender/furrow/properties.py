@@ -90,7 +90,7 @@ class FurrowLayer(bpy.types.PropertyGroup):
     normal_scale: FloatProperty(name="Scale", default=1, soft_min=0, soft_max=2, update=_rebuild)
     base_color: _image("Base colour of the fully wrinkled skin")
     roughness: _image("Roughness in channel G")
-    occlusion: _image("Occlusion in channel R. Exported but not shown, because Cycles traces rays")
+    occlusion: _image("Occlusion in channel R. Exported but not shown: the Principled BSDF has no such input")
     occlusion_strength: FloatProperty(name="Strength", default=1, min=0, max=1)
     height: _image("Height in channel R. Exported but not shown")
     height_amplitude: FloatProperty(
@@ -103,7 +103,7 @@ class FurrowLayer(bpy.types.PropertyGroup):
     )
     blood: _image("Change of blood in channel B, where 0.5 means unchanged. Must be the same image as the occlusion")
     blood_amplitude: FloatProperty(name="Amplitude", default=0.3, min=0, max=2, update=_rebuild)
-    onset: _image("Influence at which wrinkles begin, in G; must be the same image as the occlusion and blood")
+    onset: _image("Influence at which a wrinkle appears, in channel G. Must be the same image as occlusion and blood")
     onset_strength: FloatProperty(name="Strength", default=1, min=0, max=1, update=_rebuild)
     other: StringProperty(default="{}")
 

@@ -24,7 +24,7 @@ import { activationOf } from '../../case.ts'
 import { applyPeer, normalArray, type Peer } from '../peer.ts'
 import type { Variant } from '../variant.ts'
 
-/** Supported case. The static influence map shows frame 0, even if the activations of the case change every frame. */
+/** Counts that this variant supports. `still` gives every area its activation in frame 0, because the influence map is static. */
 const SHOWN = { areas: 8, active: 8, layers: 1, still: true }
 
 /**
@@ -41,7 +41,7 @@ export const variant: Variant = {
   },
 }
 
-/** Computes the influence map of the first frame: the sum of all areas times their activations. */
+/** Computes the influence map of frame 0. Each texel is the sum of the areas' weights times their activations, at most 1. */
 function influenceTexture({ areas }: WrinkleSet): DataTexture {
   const images = areas.map(({ weights }) => weights as GrayImage)
   const { width, height } = images[0]

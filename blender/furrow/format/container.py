@@ -26,7 +26,7 @@ class ImageFile:
 
 
 class GltfFile:
-    """A glTF file that was read. `json` is its document, and `image_of` reads its images."""
+    """A glTF file that was read. `json` is its JSON, and `image_of` reads its images."""
 
     def __init__(self, path):
         self.path = Path(path)
@@ -94,9 +94,9 @@ def add_wrinkles(path, wrinkles):
     """
     Add the extension to materials of a file and overwrite the file.
 
-    `wrinkles`: dict from names of materials to pairs (document, list of ImageFile). Texture indices in the document
-    of a pair refer to the list of this pair. Materials that the file lacks are skipped. Returns the names of the
-    changed materials.
+    `wrinkles`: dict from material names to pairs: the extension's JSON, and a list of ImageFile. Texture indices in
+    the JSON are indices into this list. Materials that the file lacks are skipped. Returns the names of the changed
+    materials.
     """
     file = GltfFile(path)
     is_glb = has_glb_header(path)
@@ -178,12 +178,12 @@ def _read_glb(data, who):
     try:
         version, length = struct.unpack_from("<II", data, 4)
         if version != 2 or length > len(data):
-            raise ValueError("header")
+            raise ValueError("not version 2, or truncated")
         chunks, at = {}, 12
         while at < length:
             size, kind = struct.unpack_from("<II", data, at)
             if at + 8 + size > len(data):
-                raise ValueError("chunk")
+                raise ValueError("a chunk is truncated")
             chunks.setdefault(kind, data[at + 8 : at + 8 + size])
             at += 8 + size
         return chunks[_JSON], chunks.get(_BINARY, b"")

@@ -1,4 +1,4 @@
-"""Edits lists of drivers and shape corrections. All functions return new lists."""
+"""Edits lists of drivers and shape corrections, and describes drivers. No function changes its arguments."""
 
 import copy
 

@@ -35,7 +35,7 @@ def canonical_name(name):
     """
     Return the canonical name of a target, for example `browOuterUpLeft` for `blendShape1.browOuterUp_L`.
 
-    For unknown shapes, returns the name without its prefix.
+    For unknown shapes, removes the prefixes in `_PREFIXES`, and replaces `_L` or `_R` at the end by `Left` or `Right`.
     """
     known = _CANONICAL.get(_key(name))
     if known:

@@ -3,7 +3,8 @@ Splits the drivers of a document into small steps, because each step must fit in
 
 A step combines numbers by sum, mean, minimum, maximum or a short expression. It then maps the result by a curve, which
 is stored as key frames of the driver's F-curve. Blender cuts off expressions after 255 characters, but a driver of the
-document may have 1024 links. Therefore the expressions planned here read at most four numbers.
+document may have 1024 links. Therefore sums, means, minima and maxima use Blender's driver types for them, which need
+no expression. Each expression planned here reads two numbers.
 """
 
 from dataclasses import dataclass, field
@@ -34,7 +35,7 @@ class Step:
     """
     A small driver.
 
-    `curve`: points (input, output), constant beyond the ends. `slope`: factor that replaces the curve.
+    `curve`: points (input, output), constant beyond the ends. `slope`: factor on the combined number, instead of a curve.
     """
 
     name: str
@@ -148,7 +149,11 @@ def _mean(plan, name, sources):
 
 
 def _links_of(driver, weights, areas, cyclic, can_measure, plan):
-    """Return a driver's links as tuples (sources, weight, curve), or None if the driver has no effect in Blender."""
+    """
+    Return a driver's links as tuples (sources, weight, curve), or None if the driver adds no number to an area.
+
+    If Blender cannot evaluate the driver, adds a note to `plan.unsupported`.
+    """
     kind = driver["type"]
     if kind == "morph":
         return [(weights.find(link["name"]), link["weight"], link.get("curve")) for link in driver["targets"]]

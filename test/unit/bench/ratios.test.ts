@@ -6,7 +6,9 @@ describe('the guard of the frame', () => {
 
   it('warns, with the old and new value, if a ratio to the face without wrinkles grew by more than 0.05', () => {
     expect(warnings({ [name]: 1.251 }, { [name]: 1.2 })).toEqual([
-      expect.stringContaining('webgl, composed, moving has grown from 1.20 to 1.25 of the plain face'),
+      expect.stringContaining(
+        'webgl, composed, moving has grown from 1.20 to 1.25 times the frame time of the plain face',
+      ),
     ])
   })
 
