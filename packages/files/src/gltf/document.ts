@@ -17,6 +17,7 @@ const sources = new WeakMap<Document, GltfJson>()
  * fans to lists. Drops extensions that glTF-Transform does not know.
  *
  * @param path path of the file, for errors.
+ * @param who command, for errors, e.g. `furrow auto`.
  * @throws FurrowError if the file cannot be decoded.
  */
 export async function documentOf({ json, bin }: Glb, path: string, who: string): Promise<Document> {

@@ -21,8 +21,8 @@ const IMAGE_EXTENSIONS: Readonly<Record<string, string>> = {
  * Returns the files to write for a glTF file. For `.glb` and `.vrm` this is one file. For `.gltf` it is the JSON, a
  * binary buffer, and one file per image, all in one folder.
  *
- * @param isFree returns whether a buffer or image may be written to a path. If not, the number in its name is
- *   increased.
+ * @param isFree returns whether a buffer or image may be written to a path. If not, a file name with the next
+ *   number is tried.
  */
 export function filesOfFace(
   glb: Glb,
@@ -107,7 +107,10 @@ function removeViews(json: GltfJson, bin: Uint8Array, removed: ReadonlyMap<numbe
   )
 }
 
-/** Closes gaps between buffer views, keeping their alignment and overlaps. Returns the new binary chunk. */
+/**
+ * Closes gaps between buffer views. Offsets keep their remainder modulo 4, and overlapping views still overlap. Returns
+ * the new binary chunk.
+ */
 function gather(views: readonly BufferView[], bin: Uint8Array): Uint8Array {
   const parts: Uint8Array[] = []
   let [length, end, shift] = [0, 0, 0]

@@ -74,11 +74,11 @@ function isJson(head: Uint8Array): boolean {
 }
 
 /**
- * Checks the first bytes and the size of a file.
+ * Checks the first bytes of a file and the size of its JSON.
  *
- * @param head first bytes of the file, at least 20 unless the file is shorter.
- * @throws FurrowError if the file is neither JSON nor binary glTF 2.0, is truncated before the end of its JSON, or is
- *   too large.
+ * @param head first bytes of the file: at least the 20 bytes before the JSON of a `.glb`, unless the file is shorter.
+ * @throws FurrowError if the file is neither JSON nor binary glTF 2.0, is truncated before the end of its JSON, or has
+ *   more JSON than `MAX_JSON_BYTES`.
  */
 export function checkHead(head: Uint8Array, size: number, path: string, who: string): void {
   const problem = isJson(head) ? undefined : headerProblem(head, size)

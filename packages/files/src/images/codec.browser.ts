@@ -27,8 +27,8 @@ export async function measureImage(
 }
 
 /**
- * Decodes an image to 8 bits per channel. Ignores colour profiles and does not premultiply alpha. Decodes PNG exactly
- * like libvips in Node; channels of lossy formats may differ by 1.
+ * Decodes an image to 8 bits per channel. Ignores colour profiles and does not premultiply alpha. PNG gives the same
+ * values as libvips in Node. Values from lossy formats may differ from those of libvips by 1.
  *
  * @throws FurrowError like `measureImage`, and if the image cannot be decoded.
  */
@@ -52,7 +52,7 @@ export async function decodeImage(
   }
 }
 
-/** Encodes a map as PNG. The function of this name for Node writes other bytes, because it uses libvips. */
+/** Encodes a map as PNG. The function of this name for Node writes the same pixels, but compressed by libvips. */
 export async function encodeMap(pixels: Pixels): Promise<Uint8Array> {
   return encodePortablePng(pixels)
 }

@@ -4,8 +4,9 @@ import sharp, { type Sharp } from 'sharp'
 import { paintedArea } from './painted-area.ts'
 import type { Pixels } from './pixels.ts'
 
-/** Values of a 16-bit height image: 1000 steps per millimetre, and 32768 is 0 mm. */
+/** Steps of a 16-bit height image per millimetre. */
 export const HEIGHT_STEPS_PER_MM = 1000
+/** Value of height 0 in a 16-bit height image. */
 export const HEIGHT_ZERO = 32768
 /** Largest height above or below 0 that a 16-bit height image can store, millimetres. */
 export const MAX_HEIGHT = (65535 - HEIGHT_ZERO) / HEIGHT_STEPS_PER_MM
@@ -72,8 +73,8 @@ export function encodeRgbaNormalMap({ width, height, data }: RgbaImage): Promise
 }
 
 /**
- * Encodes the weights of an area as 8-bit gray PNG. Wrinkles are visible where the image is black, as in the paper (Reis,
- * De Martino and Batagelo 2008).
+ * Encodes an area, i.e. one weight of the wrinkles per texel, as 8-bit gray PNG. Wrinkles are visible where the image
+ * is black, as in the paper (Reis, De Martino and Batagelo 2008).
  */
 export function encodeArea(area: GrayImage): Promise<Uint8Array> {
   return encodePng(paintedArea(area))

@@ -2,7 +2,7 @@ import sharp, { type Metadata, type Sharp } from 'sharp'
 import { checkImageSize, checkImageType, formatNames, GLTF_IMAGES, type ImageHeader } from './check-image.ts'
 import { withImageErrors } from './image-errors.ts'
 
-/** Formats that libvips must not read. A build of libvips supports only some of them. */
+/** Formats that libvips must not read. `sharp.block` ignores formats that the build of libvips does not support. */
 const BLOCKED = [
   'Analyze',
   'Csv',
@@ -27,8 +27,8 @@ const BLOCKED = [
   'Vips',
 ]
 
-// Second line of defence after `checkImageType`. The block applies to all threads of the process. Do not block all
-// readers and then allow some: another thread could read an image in the meantime.
+// Second line of defence after `checkImageType`. `sharp.block` applies to all threads of the process. Do not block all
+// formats and then unblock the allowed ones: in the meantime, reading an allowed format would fail in other threads.
 sharp.block({ operation: BLOCKED.map((format) => `VipsForeignLoad${format}`) })
 
 /** Image whose header has been checked. It is not decoded yet. */

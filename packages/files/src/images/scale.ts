@@ -57,8 +57,9 @@ function addUp(
 }
 
 /**
- * Returns the source texels and weights of each target texel in one direction. On either side of the target texel, the
- * filter covers two texels of the coarser image (source or target). It ends at the edges of the image.
+ * Returns the source texels and weights of each target texel in one direction. The filter extends two
+ * texels to either side, counted in source texels when enlarging and in target texels when reducing. Texels outside the
+ * source are ignored: the other weights are scaled to sum to 1.
  */
 function tapsOf(from: number, to: number): Taps[] {
   const scale = from / to

@@ -74,7 +74,7 @@ export function namesOfTargets(names: unknown, count: number): string[] {
   return Array.from({ length: count }, (_, i) => String(typeof given[i] === 'object' ? i : (given[i] ?? i)))
 }
 
-/** Returns the names of all nodes. A driver can use any node as a joint. */
+/** Returns the names of all nodes that have one. Drivers can use any of these nodes as a joint. */
 export function jointNamesOf({ nodes = [] }: GltfJson): string[] {
   return nodes.flatMap(({ name }) => (name === undefined ? [] : [name]))
 }

@@ -2,7 +2,7 @@ import type { WrinkleDriver } from 'furrow'
 import { drivenFaces, MAX_NAME_LENGTH } from 'furrow/internal'
 import { type GltfJson, type GltfMesh, targetNamesOf } from './gltf-json.ts'
 
-/** Name of the mesh and the material that get wrinkles if the user names none. */
+/** Name of the mesh and the material that are chosen by default. */
 export const DEFAULT_NAME = 'skin'
 
 /** Indices of the mesh and the material that get wrinkles. */
@@ -52,7 +52,8 @@ export function facesOfMaterial(
 }
 
 /**
- * Returns the names by which `findTarget` finds a mesh and a material. An index replaces a name that is not unique.
+ * Returns the names by which `findTarget` finds a mesh and a material. An index replaces a name that
+ * is empty, too long or not unique.
  */
 export function namesOfTarget(json: GltfJson, { mesh: index, material }: Target): TargetNames {
   const mesh = meshesOf(json).find((one) => one.index === index)
@@ -105,7 +106,7 @@ export function namesOfMesh({ meshes = [], nodes = [] }: GltfJson, index: number
   return isTaken ? names : [...names, String(index)]
 }
 
-/** Selects candidates by name or index. If the user names none, selects those with the default name, or else all. */
+/** Selects candidates by name or index. Default: those named `DEFAULT_NAME`, or all if there are none. */
 export function chosen<T extends Candidate>(
   candidates: readonly T[],
   wanted: string | undefined,

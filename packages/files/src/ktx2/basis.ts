@@ -61,11 +61,11 @@ const TRANSCODE_TO_RGBA32 = 13
 /** Maximum texels of all layers together. The encoder is 32-bit WebAssembly, so its memory is limited. */
 const MAX_TEXELS = 12 * 1024 * 1024
 
-/** Range 0 to 4. */
+/** Encoder effort, 0 to 4: higher is slower and has fewer artefacts. */
 const UASTC_EFFORT = 2
-/** Range 1 to 255. */
+/** Quality, 1 to 255: higher gives larger files with fewer artefacts. */
 const ETC1S_QUALITY = 255
-/** Range 0 to 6. */
+/** Encoder effort, 0 to 6: higher is slower and has fewer artefacts. */
 const ETC1S_EFFORT = 2
 
 let loading: Promise<BasisModule> | undefined
@@ -125,6 +125,7 @@ export async function encodeBasis(
 /**
  * Decodes all levels and layers to RGBA, to find damage. Returns only the largest level.
  *
+ * @param count number of layers that the file must have.
  * @throws Error with a short reason if a level is damaged.
  */
 export async function decodeBasis(

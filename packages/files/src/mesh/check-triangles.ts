@@ -10,7 +10,7 @@ const TRIANGLE_FAN = 6
  * Limits for the number of triangles times the number of blendshapes. `furrow auto` takes time proportional to this
  * product. The limit for a file is the larger of the fixed limit and the limit per byte times the size of the file. The
  * product is less than 1 per byte for ordinary faces, and up to 3 for compressed faces. A small hostile file can reach
- * thousands, because blendshapes can share accessors.
+ * thousands per byte, because blendshapes can share accessors.
  */
 const MAX_MORPHED_TRIANGLES = 6_000_000
 const MAX_MORPHED_TRIANGLES_PER_BYTE = 3
@@ -19,7 +19,7 @@ const MAX_MORPHED_TRIANGLES_PER_BYTE = 3
  * Checks the size of meshes before decoding, with the counts in the JSON.
  *
  * @param meshName name of a mesh or its node. Only this mesh is checked. Default: all meshes.
- * @throws FurrowError that names the mesh.
+ * @throws FurrowError that names the first mesh with too many triangles, or too many triangles times blendshapes.
  */
 export function checkTriangles({ json, fileBytes }: Glb, who: string, meshName?: string): void {
   const { meshes = [], nodes = [], accessors = [] } = json

@@ -9,12 +9,12 @@ import { DEFAULT_NAME } from '../json/target-names.ts'
 import { mostMovedSkin } from './find-skin.ts'
 import { nameOf, placementOf, trianglesOf } from './mesh-nodes.ts'
 
-/** A mesh with texture coordinates, and the normal map of its material. Strokes are drawn on such a mesh. */
+/** A mesh with texture coordinates, on which wrinkle strokes are drawn. */
 export interface FaceMesh {
   name: string
   /** Positions in metres in world space, in rest pose and without blendshapes. */
   mesh: MetricMesh
-  /** Encoded normal map of the material. */
+  /** Encoded normal map of the first material that has one. */
   normalMap?: Uint8Array
   /** Whether the mesh has tangents. Otherwise three.js derives tangents on the GPU. */
   hasTangents: boolean
@@ -38,9 +38,10 @@ export async function readFaceMesh(
 
 /**
  * Finds the node of a mesh with texture coordinates. Without `meshName`, chooses the mesh named `skin`. If there is
- * none, chooses the only mesh. If there are several, chooses the mesh with more than half of the blendshape motion.
+ * none, chooses the only mesh. If there are several, chooses the mesh with a surface that has more than half of the
+ * motion of all surfaces, see `chooseSkin`.
  *
- * @throws FurrowError if no mesh matches, or several match and none has more than half of the motion.
+ * @throws FurrowError if no mesh matches, or if these rules choose none of several meshes.
  */
 export function pickMesh(document: Document, path: string, who: string, meshName?: string): Node {
   const nodes = document

@@ -19,7 +19,7 @@ export interface FoundSkin {
   meshName: string
   /** Name of the material, or its index if it has none. */
   materialName: string
-  /** Fraction of all blendshape motion that is on this surface, 0..1. NaN if no blendshape moves anything. */
+  /** Motion of this surface as a fraction of that of all surfaces (see `chooseSkin`), 0..1. NaN if nothing moves. */
   fraction: number
   /** Reason for the choice, in words for the user. */
   reason: string
@@ -30,8 +30,8 @@ export interface FoundSkin {
  * Chooses the surface that gets wrinkles, among all meshes and materials of a file. See `chooseSkin`.
  *
  * @param meshName name of a mesh or its node. Only this mesh is considered. Default: all meshes.
- * @param isLit returns whether the given material can show wrinkles. A lit material is preferred to an unlit
- *   material if blendshapes move the lit material at least half as much.
+ * @param isLit returns whether the given material can show wrinkles. In the choice, the motion of a
+ *   surface with such a material counts twice.
  * @throws FurrowError if no mesh can have wrinkles.
  */
 export function findSkin(
@@ -58,7 +58,7 @@ export function findSkin(
   })
 }
 
-/** Returns the surface that has more than half of all blendshape motion, or undefined. */
+/** Chooses like `bestSkin`, but returns undefined if the surface has at most half of the motion of all surfaces. */
 export function mostMovedSkin(document: Document, meshName?: string): FoundSkin | undefined {
   const skin = bestSkin(document, meshName)
   return skin && skin.fraction > 0.5 ? skin : undefined

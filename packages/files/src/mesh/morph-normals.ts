@@ -6,7 +6,9 @@ import { documentOf } from '../gltf/document.ts'
 import type { Glb } from '../gltf/glb.ts'
 import type { GltfJson } from '../json/gltf-json.ts'
 
-/** Sparse accessors omit deltas whose components are all at most this. An 8-bit normal has steps of twice this size. */
+/**
+ * Sparse accessors omit deltas whose components are all at most this: a quarter of the step of an 8-bit normal map.
+ */
 const NEGLIGIBLE = 1 / 510
 /** Above this fraction of changed vertices, a sparse accessor would not be smaller than a full one. */
 const MAX_SPARSE_FRACTION = 0.7
@@ -16,7 +18,8 @@ const UNSIGNED_INT = 5125
 const FLOAT = 5126
 
 /**
- * Adds normals to those blendshapes of a mesh that have none. Otherwise shading would not follow the moved surface.
+ * Adds normals to those blendshapes of a mesh that have positions but no normals, so that shading follows the surface
+ * that they move. Skips primitives without normals.
  *
  * @param glb changed in place. Existing indices stay valid.
  * @param path path of the source file, for errors.

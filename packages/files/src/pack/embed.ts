@@ -53,7 +53,7 @@ export interface PackedWrinkles {
   areas: PackedArea[]
   drivers: WrinkleDriver[]
   strokes?: StoredStrokes
-  /** The user's corrections of automatically recognised blendshapes. */
+  /** ARKit shapes that the user assigned to blendshapes. They override the automatic recognition. */
   shapes?: readonly ShapeCorrection[] | undefined
 }
 
@@ -83,8 +83,8 @@ export function embedWrinkles(glb: Glb, materialIndex: number, wrinkles: PackedW
     material.normalTexture = { ...quantised, ...textures.add(image, sampler) }
   }
   const normal = material.normalTexture
-  // Furrow ignores this index: wrinkles use the texture coordinates of the skin's normal map. The index is written so
-  // that tools do not remove these coordinates as unused attributes.
+  // Furrow ignores `texCoord`: wrinkles use the texture coordinates of the skin's normal map. It is written so that
+  // tools do not remove these coordinates as unused attributes.
   const texCoord = normal?.texCoord ? { texCoord: normal.texCoord } : {}
   const skinSampler = json.textures?.[normal?.index ?? -1]?.sampler
   const textureInfo = (image: FileImage | undefined, more: object = {}) =>

@@ -18,7 +18,7 @@ export interface LayerToEncode {
   occlusion: GrayImage
   /** Blood map with half the width and height of the normals. */
   blood: GrayImage
-  /** Onset map with the size of the normals. */
+  /** Onset map (activation at which wrinkles begin to show) with the size of the normals. */
   onset?: GrayImage
 }
 

@@ -15,14 +15,15 @@ const MIME_TYPE = 'image/ktx2'
 
 /**
  * Maps by kind. Each kind becomes one texture array. Occlusion, blood and onset share an image. Heights stay PNG, because
- * relief reads them on the CPU.
+ * code on the CPU reads them to displace the surface.
  */
 const KINDS = [['normal'], ['baseColor'], ['roughness'], ['occlusion', 'blood', 'onset']] as const
 
 /**
  * Encodes the maps of all layers as KTX 2 arrays in UASTC with mipmaps, one array per kind. Heights stay PNG.
  *
- * @throws FurrowError if maps of one kind differ in size, or their sides are not multiples of 4 texels.
+ * @throws FurrowError if maps of one kind differ in size or have too many texels together, or if their sides are not
+ *   multiples of 4 texels.
  */
 export async function encodeMapArrays(
   layers: readonly (LayerImages & { normal: CheckedImage })[],

@@ -9,7 +9,7 @@ import { addressOf, STROKES_FILE, WRINKLES_FILE } from '../wrinkles/folder-docum
 import { layersOf } from '../wrinkles/strokes.ts'
 import { drawnPaths, layersToDraw } from './draw-set.ts'
 
-/** Wrinkle set in a folder, with the list of files that will be written when its strokes are drawn. */
+/** Wrinkle set in a folder, with the files that drawing its strokes writes. */
 export interface OpenSet {
   folder: string
   set: WrinkleSetDocument
@@ -17,9 +17,11 @@ export interface OpenSet {
   json: object
   /** Whether the folder had no `wrinkles.json`. */
   isNew: boolean
+  /** Names of the layers to draw. */
   layers: string[]
   /** Path of `wrinkles.json`. */
   document: string
+  /** Paths of the images to write: maps of `layers`, and the areas of a new set. */
   images: string[]
 }
 
@@ -29,7 +31,7 @@ const DEFAULT_LAYER = 'expression'
 /**
  * Reads the wrinkle set of a folder. If there is none, creates a set with the layers and areas of a strokes document.
  *
- * @param layer draws only this layer. Default: all layers with strokes or furrows.
+ * @param layer the only layer to draw. Default: all layers with strokes or furrows.
  * @throws FurrowError if the set is malformed, or lacks a layer that a stroke names.
  */
 export async function openSet(
@@ -48,7 +50,10 @@ export async function openSet(
   return { folder, set, json, isNew, layers, document, images: paths.map((path) => join(folder, path)) }
 }
 
-/** Creates a set with the layers and areas of a strokes document. An area gets the layer of the strokes inside it. */
+/**
+ * Creates a set with the layers and areas of a strokes document. An area is on the layer of the first stroke in one of
+ * its groups.
+ */
 function setOf(document: StrokesDocument): WrinkleSetDocument {
   const { strokes, areas } = document
   const named = layersOf(document)

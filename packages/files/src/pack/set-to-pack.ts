@@ -14,7 +14,7 @@ export interface SetToPack extends Pick<WrinkleSetDocument, 'mesh' | 'material' 
   layers: readonly LayerToPack[]
   areas: readonly AreaToPack[]
   strokes?: () => Promise<StoredStrokes>
-  /** The user's corrections of automatically recognised blendshapes. */
+  /** ARKit shapes that the user assigned to blendshapes. They override the automatic recognition. */
   shapes?: readonly ShapeCorrection[]
 }
 

@@ -12,8 +12,8 @@ import type { CheckedImage } from './checked-image.ts'
  * wrinkles begin to show) into the green channel. Scales both maps to the size of the occlusion map. If there is no
  * occlusion map, scales the onset map to the size of the blood map. Channels without a map are white.
  *
- * Roughness also uses green. If roughness and occlusion share an image and there is no onset, the new image keeps the
- * roughness. With an onset, roughness still uses the old image.
+ * Roughness also uses the green channel. If roughness shares its image with occlusion, it moves to the new image,
+ * unless there is an onset map. In that case roughness keeps its image.
  *
  * @returns the layer with its maps in the new image.
  * @throws FurrowError if a map has to be scaled to a size that is not square.

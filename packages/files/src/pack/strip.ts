@@ -5,10 +5,11 @@ import { KTX2_EXTENSION, usesKtx2 } from './embed.ts'
 
 /**
  * Removes the wrinkles of a material. Removes textures, images and buffer views only from the end of their lists, where
- * `furrow pack` appends them. So all other indices stay valid.
+ * `furrow pack` appended them, so that all other indices stay valid.
  *
  * @param glb changed in place. Its binary chunk becomes a shorter view of the same memory.
- * @returns number of textures that could not be removed, because other textures follow them.
+ * @returns number of textures that could not be removed, because other textures follow them, or other materials or
+ *   extensions use them.
  */
 export function stripWrinkles(glb: Glb, materialIndex: number, who: string): number {
   const { json } = glb
@@ -88,8 +89,8 @@ function popWhile<K extends 'textures' | 'images' | 'bufferViews' | 'samplers'>(
 }
 
 /**
- * Collects all numbers inside fields whose name matches. Some numbers may not be indices, but no index in an unknown
- * extension is missed.
+ * Collects all numbers inside fields whose name matches. Some numbers may not be indices, but no index in such
+ * a field of an unknown extension is missed.
  */
 function indicesUnder(value: unknown, name: RegExp, inside = false, found = new Set<number>()): Set<number> {
   if (inside && typeof value === 'number') found.add(value)
