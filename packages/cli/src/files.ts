@@ -16,8 +16,9 @@ import { uninterrupted } from './interruption.ts'
 import { checkReplaced, isStdout, type ReplaceRules, targetOf } from './outputs.ts'
 
 /**
- * Writes all files or none. First it writes temporary files beside the targets, and then it renames them. Creates
- * missing folders. Signals do not interrupt this function. Writes to stdout last.
+ * Writes files and creates missing folders. First writes all temporary files beside the targets, and then renames them.
+ * So if a temporary file cannot be written, all targets stay unchanged. If a rename fails, earlier renames are not
+ * undone. Signals do not interrupt this function. Writes to stdout last.
  *
  * @param rules exceptions from the rule that no output may overwrite a file that the command has read.
  * @throws FurrowError if a file cannot be written, or would overwrite an input.

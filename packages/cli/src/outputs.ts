@@ -190,7 +190,7 @@ async function identityOf(path: string): Promise<string> {
   return found ? `${found.dev}:${found.ino}` : realPathOf(target)
 }
 
-/** Returns the path of a file without symbolic links. Neither the file nor its folder has to exist. */
+/** Resolves all symbolic links in the path of a file. Neither the file nor its folder has to exist. */
 export async function realTarget(path: string): Promise<string> {
   return realPathOf(await targetOf(path))
 }

@@ -22,8 +22,8 @@ const GUARD = `process.stdin.resume().on('close', () => {
 })`
 
 /**
- * Creates a folder with a random name that only this user can open. `remove` deletes the folder. If this process ends
- * without `remove`, a guard process deletes the folder.
+ * Creates a folder with a random name. Only this user can open the folder. `remove` deletes it. If this process ends
+ * before `remove` is called, a guard process deletes it.
  *
  * @param endsBySignal whether signals end this process. False if the caller handles signals.
  */

@@ -94,8 +94,8 @@ async function open(job: PageJob): Promise<Scene> {
 }
 
 /**
- * Loads a wrinkle set and returns its drivers separately. From the set, `Wrinkles` would add all of them, even drivers of
- * type `time`.
+ * Loads a wrinkle set and returns its drivers separately, so that the caller can omit some. `Wrinkles` adds all drivers
+ * that it finds in a set.
  */
 async function loadDocument(url: string): Promise<Pick<LoadedWrinkles, 'set' | 'drivers'>> {
   const { drivers, ...set } = await loadWrinkleSet(url)

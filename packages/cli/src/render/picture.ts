@@ -9,8 +9,8 @@ export const RELIEF_NAMES = ['off', 'on', 'near'] as const
 export const PICTURE_SIDE = { min: 16, max: 8192 } as const
 
 /**
- * Custom camera view. `yaw` and `pitch` are angles in degrees, 0 in the view from the front. At `zoom` 1 the face fills
- * the image.
+ * Custom camera view. `yaw` is the angle of the camera from the front towards the person's left side, `pitch` the angle
+ * above the horizon, both in degrees. At `zoom` 1, the head fills the image.
  */
 export interface CameraView {
   yaw: number
@@ -36,7 +36,10 @@ export interface PictureRequest {
   wrinkles?: string
   /** Name of the mesh with wrinkles. Default: `skin`. If there is none: the mesh with most vertices. */
   mesh?: string
-  /** Name of an expression of the library. Default: no expression, only the blendshape weights that the file sets. */
+  /**
+   * Name of an expression of the library. An expression of the wrinkle set with the same name takes precedence. Default:
+   * no expression, only the blendshape weights that the file sets.
+   */
   expression?: string
   /** Blendshape weights by name, 0..1. They override the expression. */
   targets?: Record<string, number>

@@ -89,8 +89,8 @@ export async function drawMaps(
 }
 
 /**
- * Draws all maps of the layers for a folder. If the folder is new, also returns the other files that `furrow pack`
- * reads.
+ * Draws all maps of the layers `open.layers` of a folder. Returns these maps and `wrinkles.json`, and for a new folder
+ * also the strokes and the areas, so that `furrow pack` can read the folder. Writes nothing.
  */
 export async function drawInto(
   open: OpenSet,
@@ -143,7 +143,7 @@ export function drawAreas(
     painted.map(async ({ name, weights }) => ({
       path: areaPath(areas, name),
       bytes: await encodeArea(weights),
-      note: `${weights.width} x ${weights.height}, wrinkles are visible where black`,
+      note: `${weights.width} x ${weights.height}, black = fully visible wrinkles`,
     })),
   )
 }

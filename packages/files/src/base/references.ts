@@ -27,7 +27,7 @@ export function dataOf(uri: string): Uint8Array | undefined {
  * Decodes a URI to a path with `/` as separator.
  *
  * @param file path of the file that contains the URI, for errors.
- * @throws FurrowError if the URI is not a relative path.
+ * @throws FurrowError if the URI is empty, has a scheme such as `https:`, or contains a NUL character.
  */
 export function pathOf(file: string, uri: string, who: string): string {
   if (!SCHEME.test(uri)) {

@@ -22,7 +22,8 @@ export function costProblem(json: GltfJson, fileBytes: number): string | undefin
 /**
  * Finds invalid indices, and offsets, counts and strides that exceed the data.
  *
- * @param binaryBytes size of the binary chunk, which is the first buffer. All other buffers must be empty.
+ * @param binaryBytes size of the binary chunk, which is the first buffer. Other buffers count as empty, so references to
+ *   their data are errors.
  * @returns error text, or undefined.
  */
 export function decodingProblem(json: GltfJson, binaryBytes: number): string | undefined {

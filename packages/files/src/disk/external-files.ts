@@ -20,11 +20,13 @@ export interface ReadOptions {
 }
 
 /**
- * Resolves a URI in a file to a path. Follows symbolic links before it checks the folder.
+ * Resolves a URI in a file to a path. Without `allowOutside`, the path must be in the folder of `file` or below, before
+ * and after symbolic links are followed.
  *
  * @param file path of the file that contains the URI.
  * @returns absolute path of a regular file.
- * @throws FurrowError if the file is missing, not a regular file, too large, remote, or outside the folder of `file`.
+ * @throws FurrowError if the file is missing, not a regular file, too large, remote, or outside the folder without
+ *   `allowOutside`.
  */
 export async function resolveInside(
   file: string,

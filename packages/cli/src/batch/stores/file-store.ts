@@ -3,7 +3,7 @@ export interface FileStore {
   /**
    * Returns the content identity of an address. If two identities are equal, the contents are equal.
    *
-   * @param reads `folder` includes all files in the folder.
+   * @param reads whether the address is a file or a folder. The identity of a folder covers all files in it.
    */
   identify(address: string, reads: 'file' | 'folder'): Promise<string>
   /**

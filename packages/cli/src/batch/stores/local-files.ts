@@ -86,8 +86,8 @@ function stringsIn(value: unknown): string[] {
 }
 
 /**
- * Returns the paths of all files that a command may read for a local input. Includes referenced files, even outside the
- * folder.
+ * Returns the paths of all files that a command may read for a local input. Includes the files that the input
+ * references, even outside its folder.
  */
 export async function filesRead(path: string, reads: 'file' | 'folder'): Promise<string[]> {
   const own = reads === 'file' ? [path] : (await entriesOf(path)).filter(isFileOrLink).map(pathIn)
