@@ -1,10 +1,10 @@
 """
 Builds the shader nodes of a wrinkle group (formulas: docs/FURROW_wrinkle_maps.md, "Mixing").
 
-The nodes compute the influence of each layer: the sum of its areas times their activations. Onset maps delay it. The
-nodes then mix normals, base colour, roughness and blood by these influences, before lighting. The inputs of the group
-are the material's values without wrinkles, and the outputs are the values with wrinkles. Normals are colours in tangent
-space. The Normal Map node of the material decodes them.
+The nodes compute the influence of each layer from the weights and activations of its areas. Onset maps delay the
+influence. The nodes then mix normals, base colour, roughness and blood by these influences, before lighting. The inputs
+of the group are the material's values without wrinkles, and the outputs are the values with wrinkles. Normals are
+colours in tangent space. The Normal Map node of the material decodes them.
 """
 
 from .graph import Graph
@@ -26,7 +26,7 @@ def build_nodes(tree):
     """
     Build the nodes of a wrinkle group.
 
-    Returns where each area's activation must be written: a pair of node name and input index, by index of the area.
+    Returns, by area index, the node input that takes the area's activation: a pair (node name, input index).
     """
     wrinkles = tree.furrow
     _declare(tree, [name for name, (_, _, maps) in SOCKETS.items() if not maps or _has(wrinkles, maps)])

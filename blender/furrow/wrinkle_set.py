@@ -84,7 +84,7 @@ def _check_sizes(images):
 
 def document_of(tree):
     """
-    Return the document of a wrinkle group and its list of ImageFile. Texture indices are indices into this list.
+    Return the extension's JSON for a wrinkle group, and a list of ImageFile. Texture indices refer to this list.
 
     Raises FurrowError if an image is missing.
     """

@@ -20,7 +20,7 @@ const LISTED = [
 
 /** Values that an engine must compute at one point of a sample's square. */
 export interface Expected {
-  /** Influence of each layer (its areas times their activations) before onset maps are applied, 0..1. */
+  /** Influence of each layer before its onset map is applied, 0..1. */
   influence: number[]
   /** Normal as a unit vector in tangent space. */
   normal: number[]

@@ -35,7 +35,8 @@ class Step:
     """
     A small driver.
 
-    `curve`: points (input, output), constant beyond the ends. `slope`: factor on the combined number, instead of a curve.
+    `curve`: points (input, output), constant beyond the ends. `slope`: factor on the combined number. A step with a
+    `slope` has no curve.
     """
 
     name: str

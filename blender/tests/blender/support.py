@@ -86,7 +86,8 @@ def small_face(targets=(), normal=None, material=None):
     """
     Create a `.glb` file with a square of one metre, which its texture covers exactly once.
 
-    `targets`: names of shape keys, each of which lifts a corner. `normal`: ImageFile of the material's normal map.
+    `targets`: names of shape keys. All move the first corner along its normal: the first by 0.1 m, the second by 0.2 m,
+    and so on. `normal`: ImageFile of the material's normal map.
     """
     positions = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
     arrays = [
