@@ -3,7 +3,7 @@ import { mean } from '../../statistics.ts'
 /** Point of a line in a flat chart of the skin, millimetres. */
 export type FlatPoint = readonly [x: number, y: number]
 
-/** Points of two patterns in the same chart, such as one side of the forehead. The points of a line are evenly spaced, at most 1 mm apart. */
+/** Points of the lines of two patterns, in one chart, which shows a part of the skin. The points of a line are evenly spaced, at most 1 mm apart. */
 export interface Comparison {
   lines: readonly FlatPoint[]
   others: readonly FlatPoint[]
@@ -11,7 +11,7 @@ export interface Comparison {
 
 /** Maximum distance of two points that count as the same, millimetres. */
 const SAME = 1.5
-/** Distances by which the patterns are shifted against each other to measure chance, millimetres. */
+/** Distances, in millimetres, by which patterns are shifted against each other. Points that are still the same after the shift match by chance. */
 const SHIFTS = [3, 5.5, 8]
 /** Number of directions in which patterns are shifted by each distance. */
 const DIRECTIONS = 16
@@ -21,7 +21,8 @@ const DIRECTIONS = 16
  * that are within 1.5 mm of the second pattern. To measure chance, one pattern is shifted by 3 to 8 mm in many directions. Chance is the mean
  * share of the shifted patterns. The measure has the form of Cohen's kappa (Cohen 1960, Educ Psychol Meas 20).
  *
- * @returns 1 for identical patterns, about 0 for unrelated ones. Undefined if a pattern is empty, or if chance is 1.
+ * @param parts comparisons of different parts of the skin, pooled into one measure. Parts in which one pattern has no points are skipped.
+ * @returns 1 for identical patterns, about 0 for unrelated ones. Undefined if all parts are skipped, or if chance is 1.
  */
 export function alikeness(parts: readonly Comparison[]): number | undefined {
   const filled = parts.filter(({ lines, others }) => lines.length > 0 && others.length > 0)

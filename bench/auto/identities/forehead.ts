@@ -19,8 +19,8 @@ export interface ForeheadMovement {
   /** Length, in millimetres, by which the blendshapes shorten the forehead. */
   shortening: number
   /**
-   * Length, in millimetres, by which the compression of the film shortens the forehead. `autoWrinkles` computes lines from this compression. It
-   * adds the muscle's pull to the compression by the blendshapes, and fades the sum out at the brows and the hairline.
+   * Length, in millimetres, by which the compression that `autoWrinkles` computes lines from shortens the forehead. This compression is the sum
+   * of the compression by the blendshapes and of the forehead muscle's pull. It fades out at the brows and the hairline.
    */
   filmShortening: number
 }
@@ -28,7 +28,7 @@ export interface ForeheadMovement {
 const RAISED = { browInnerUp: 1, browOuterUpLeft: 1, browOuterUpRight: 1 }
 /** Number of points from the brows to the hairline. */
 const POINTS = 101
-/** Minimum upward movement of moving skin, millimetres. */
+/** Skin that moves up by less than this counts as still, millimetres. */
 const STILL = 0.1
 /** Largest distance from the middle, in millimetres, at which lines are counted. It is about half the distance between the pupils. */
 const COUNTED = 30
@@ -40,7 +40,7 @@ const VERTICALS = 5
 /**
  * Measures how raised brows move the forehead. `convergence` and `shortening` are means over three verticals: the middle of the face and both pupils.
  *
- * @param film film of the forehead.
+ * @param film model of the forehead's skin as a film that buckles.
  * @param tensors compression of the skin with raised brows, see `StrainedRegion`.
  */
 export function foreheadMovement(

@@ -2,9 +2,9 @@ import { cross, dot, minus, unit, type Vector } from '../../../test/vectors.ts'
 import { median } from '../../statistics.ts'
 import type { LineSample, SkinLine } from './skin-lines.ts'
 
-/** Maximum distance of neighbouring lines, in wavelengths. */
+/** Maximum distance between neighbouring lines, as a multiple of the wavelength. */
 const FARTHEST = 2.5
-/** Neighbours of a point are searched in a strip across its line. This is half the width of the strip, in millimetres. */
+/** Half the width, in millimetres, of the strip across a line in which the neighbours of a point are found. */
 const STRIP = 0.5
 
 /**
@@ -12,7 +12,7 @@ const STRIP = 0.5
  * across the line, in the tangent plane of the skin. Returns the median distance.
  *
  * @param lines lines of one region.
- * @param wavelength wavelength of the region's skin in millimetres.
+ * @param wavelength distance between the folds into which the region's skin buckles, in millimetres.
  * @returns millimetres, undefined if no line has a neighbour.
  */
 export function lineSpacing(lines: readonly SkinLine[], wavelength: number): number | undefined {
