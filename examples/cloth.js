@@ -9,7 +9,9 @@ const SIDE = 24
 const WIDTH = 0.27
 /** Minimum length of a thread, as a fraction of its length at rest. The thickness of cloth limits its compression. */
 const MIN_STRETCH = 0.5
+/** Time step of the simulation, seconds. */
 const STEP = 1 / 240
+/** Metres per second squared. */
 const GRAVITY = 9.81
 
 /**
@@ -31,7 +33,10 @@ export class Cloth {
     this.targetPush = 0
   }
 
-  /** Moves the upper corners together by a fraction, 0..1, and simulates until the cloth rests. */
+  /**
+   * Moves the upper corners together by the fraction `push`, 0..1. If it is not 0, simulates 900 steps, after which the
+   * cloth moves only by a few millimetres per second.
+   */
   settle(push) {
     this.push = push
     this.targetPush = push
@@ -39,7 +44,11 @@ export class Cloth {
     this.write()
   }
 
-  /** Simulates the time since the previous update. */
+  /**
+   * Simulates the time since the previous update, at most 8 steps.
+   *
+   * @param seconds current time, measured from any fixed moment.
+   */
   update(seconds) {
     const steps = Math.min(8, Math.round((seconds - this.lastUpdate) / STEP))
     this.lastUpdate = seconds
@@ -107,8 +116,9 @@ function createThreads() {
 }
 
 /**
- * Creates the weights of one square patch. They fall to 0 at the centres of the neighbouring patches, so that all
- * patches sum to 1.
+ * Creates the weights of one square patch, in a cloth of `count` x `count` patches. They fall to 0 at the centres of
+ * the neighbouring patches, so that the weights of all patches sum to 1 between patch centres. From the outermost
+ * centres to the cloth's edge, where there is no neighbour, the sum falls to 0.5, and to 0.25 in the corners.
  */
 export function patchWeights(column, row, count) {
   const size = 64

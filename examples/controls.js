@@ -65,7 +65,7 @@ export function addCheck(name, checked, onChange) {
   controls().append(label)
 }
 
-/** Adds text of one or more lines. Returns a function that replaces the text. */
+/** Adds an empty text block, which can hold several lines. Returns a function that sets the text. */
 export function addText() {
   const text = document.createElement('pre')
   controls().append(text)
@@ -74,7 +74,7 @@ export function addText() {
   }
 }
 
-/** Adds a progress bar. `set` takes a fraction from 0 to 1, and `remove` removes the bar. */
+/** Adds a progress bar. Returns two functions: `set` takes the progress, 0..1, and `remove` removes the bar. */
 export function addProgress(name) {
   const label = document.createElement('label')
   const bar = Object.assign(document.createElement('progress'), { value: 0 })

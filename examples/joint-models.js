@@ -2,7 +2,10 @@
 
 import { AnimationMixer, AnimationUtils, Group, Matrix4, Vector3 } from 'three'
 
-/** Start and end of the motion in each clip, seconds. A second range shows the motion in the opposite direction. */
+/**
+ * Start and end of the motion in each clip, seconds. The clip `turn` has a second range, in which the head turns to the
+ * other side.
+ */
 const RANGES = {
   fist: [[0, 1.4]],
   turn: [
@@ -38,8 +41,9 @@ function poseHand(pivot, scene) {
 }
 
 /**
- * Returns the clips of a model. `move` takes a value from `min` to 1 and poses the model. The clips are additive, so the head
- * can turn and nod at the same time.
+ * Returns `name`, `min` and `move` for each clip of a model. `move` poses the model. Its argument is 0 for the pose at
+ * rest and 1 for the end of the motion. If `min` is -1, -1 is the end of the motion to the other side. The clips are
+ * additive, so the head can turn and nod at the same time.
  */
 export function clipMovers(scene, animations) {
   const mixer = new AnimationMixer(scene)

@@ -12,9 +12,9 @@ from .source import ARKIT
 
 # To make files smaller, invisible displacements are removed from targets. Each pair has a lower and an upper limit for
 # the lengths of displacements (SHIFT, metres) or of changes of unit normals (TURN). Lengths below the lower limit
-# become 0. Lengths between both limits are reduced, to avoid a visible edge. 0.34 mm is less than half a pixel on a
-# full-screen face. `SHIFT_FADE_UNLIT` is for parts whose targets do not change normals. It is larger, because these
-# parts are hidden or thin.
+# become 0. Lengths between both limits are reduced, so that the border of the moved region is not visible. 0.34 mm is
+# less than half a pixel on a full-screen face. `SHIFT_FADE_UNLIT` is for parts whose targets do not change normals. It
+# is larger, because these parts are hidden or thin.
 SHIFT_FADE = (3.4e-4, 8e-4)
 SHIFT_FADE_UNLIT = (5e-4, 1.2e-3)
 TURN_FADE = (0.068, 0.138)

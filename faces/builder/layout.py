@@ -10,7 +10,9 @@ import numpy as np
 from scipy.sparse import coo_matrix, diags, identity
 from scipy.sparse.linalg import spsolve
 
-FOCUS = 3.0  # enlarges the face and compresses the nape: u = asinh(FOCUS * x) / asinh(FOCUS)
+# Enlarges the face and compresses the nape: x becomes asinh(FOCUS * x) / asinh(FOCUS). Across the head, x is 0 at the
+# middle of the face, and -1 or 1 at the seam at the nape.
+FOCUS = 3.0
 HEAD_BOTTOM = 0.93  # v of the lower end of the head; the neck is below
 ROUNDS = 3  # rounds of relaxation; a fourth would fold quads at the nostrils
 FACE_CENTRE = np.array([0.0, 0.735, 0.15])  # metres, on the source's base figure
@@ -84,7 +86,8 @@ def _close_outline(uv: np.ndarray, positions: np.ndarray) -> np.ndarray:
     order = np.roll(np.arange(len(uv)), 1 - first)
     run = order[: neck.sum() + 2]
     gaps = np.linalg.norm(np.diff(positions[run], axis=0), axis=1)
-    # Vertices in the plane of symmetry: those of the seam, and the front of the collar.
+    # `foot`: indices into `run` of the vertices in the plane of symmetry. They are on the seam, or at the front of the
+    # collar. `collar`: those of the seam. Its two middle elements are the lower ends of the seam's sides.
     foot = np.flatnonzero(np.abs(positions[run, 0]) < 1e-6)
     collar = np.array([i for i in foot if positions[run[i], 2] < 0 and neck[run[i]]])
     start, end = collar[len(collar) // 2 - 1], collar[len(collar) // 2]

@@ -106,10 +106,11 @@ UNEVEN = [
     "nose-1",
 ]
 
-SPREAD = 0.25  # standard deviation of the weight of a pair
+# Each pair has one random weight. If it is positive, it applies to the second target, otherwise to the first.
+SPREAD = 0.25  # standard deviation of a pair's weight
 SKULL_SPREAD = 0.15  # standard deviation for pairs in `SKULL`, whose targets are stronger
 MAX_AMOUNT = 0.8  # maximum weight of a target
-UNEVENNESS = 0.04  # standard deviation of the difference between the weight of one side and the mean of both sides
+UNEVENNESS = 0.04  # standard deviation of the random weight that each side adds to the weight of both sides
 CHILDREN = 0.1  # fraction of heads with childlike features
 
 

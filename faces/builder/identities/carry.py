@@ -7,7 +7,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 # For these expressions, the rest position and the moved position of a vertex are transferred, so that lids still meet
-# on larger eyes. For other expressions, the displacement is transformed.
+# on larger eyes. For other expressions, a local affine map transforms the displacement.
 LIDS = ("eyeBlink", "eyeLook", "eyeSquint", "eyeWide")
 NEIGHBOURS = 24  # number of vertices to which a local affine map is fitted
 STIFFNESS = 0.15  # regularisation of the fit towards the identity matrix, relative to the neighbours' variance
@@ -32,7 +32,7 @@ FIXED = ("eyeBlink", "eyeLook", "jawOpen", "mouthClose", "tongueOut")
 STRENGTH = 0.2  # standard deviation of the logarithm of an expression's strength
 STRENGTHS = (0.65, 1.2)  # minimum and maximum strength
 SIDES = 0.05  # standard deviation of the logarithm of an additional factor for each side
-WAVE = 0.12  # maximum local change of an expression's strength
+WAVE = 0.12  # maximum local change of an expression's strength, as a fraction
 WAVELENGTH = (0.06, 0.14)  # metres
 
 

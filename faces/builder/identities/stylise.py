@@ -17,7 +17,7 @@ MOUTH_ALONG = np.array([1, 0.4, 0.4])
 
 @dataclass
 class Style:
-    """Strengths of a cartoon's proportions. Fields are relative changes of a size unless stated otherwise."""
+    """Changes to a person's proportions. Fields are fractions of the original size unless stated otherwise."""
 
     eyes: float  # enlargement of the eyes
     apart: float  # shift of each eye outwards, as a fraction of the distance between the eyes

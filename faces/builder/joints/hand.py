@@ -161,7 +161,10 @@ def _layout(mesh: Mesh, island: np.ndarray, rings: list[np.ndarray], base: np.nd
 
 
 def _next_loop(loop: np.ndarray, ring: np.ndarray) -> np.ndarray:
-    """Returns one border of a ring of quads. `loop` is the other border. Vertices of both have matching indices."""
+    """Returns the second border of a ring of quads, whose first border is `loop`.
+
+    The edges across the ring connect vertices with the same index in both borders.
+    """
     across = {}
     for quad in ring:
         for a, b in zip(quad, np.roll(quad, -1), strict=True):

@@ -15,7 +15,7 @@ PALM = {
         ([(47, 77), (30, 79), (12, 86), (-3, 98), (-10, 110)], 3.0, 1.5),  # distal transverse
         ([(-38, 87), (-20, 83), (0, 73), (18, 60), (31, 47)], 2.8, 1.3),  # proximal transverse
         ([(39, 68), (30, 71), (20, 74)], 1.5, 0.4),
-        ([(56, 86), (47, 85), (38, 87)], 2.2, 0.8),  # at the little finger's edge, the deepest fold of a fist
+        ([(56, 86), (47, 85), (38, 87)], 2.2, 0.8),  # below the little finger, where a fist folds most
         ([(54, 71), (45, 70), (35, 73)], 2.0, 0.7),
         ([(24, 68), (12, 76), (4, 80)], 1.4, 0.35),
     ],
@@ -25,9 +25,9 @@ PALM = {
         ([(-30, 64), (-20, 52), (-15, 38)], 1.4, 0.35),
     ],
 }
-# Lines across the inside of a finger, by number of the joint. A line is an arc. Its values are in millimetres: position
-# of both ends, position of the middle relative to the ends, width and depth. Positions are along the finger, from the
-# joint towards the tip.
+# Lines across the inside of a finger, by number of the joint. A line is an arc. Its four values are in millimetres:
+# distance of both ends from the joint, offset of the middle from the ends, width and depth. Distance and offset are
+# along the finger, positive towards the tip.
 FLEXION = {
     1: [(15.5, -1.0, 2.1, 0.80), (18.0, -0.5, 1.4, 0.40)],
     2: [(-1.0, -0.8, 2.1, 0.85), (1.6, 0.6, 1.8, 0.60)],
@@ -44,7 +44,9 @@ EXTENSION = {
     ],
     3: [(-1.2, -0.5, 1.1, 0.20), (0.2, 0.0, 1.2, 0.24), (1.6, 0.5, 1.1, 0.18)],
 }
-REACH = 11.0  # half the length of a crease on the inside, millimetres. The crease is longer than the finger is wide.
+# Half the length of a crease on the inside, millimetres. More than half a finger's width, because `Chart.stroke` cuts
+# the crease at the region's edge.
+REACH = 11.0
 BACK_WIDTH = 0.55  # length of a crease on the back, as a fraction of the finger's width
 
 

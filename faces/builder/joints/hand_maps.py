@@ -97,8 +97,9 @@ def paint_hand_relief(fields: HandFields, depth: float) -> np.ndarray:
 def paint_pressed(fields: HandFields) -> tuple[np.ndarray, np.ndarray]:
     """Paints two gray images (size, size), 0..1, for the white knuckles of a fist.
 
-    Returns a blood map, which fades out around each knuckle, and the map of an area of influence (0 = full influence).
-    The influence is three times as strong as the white of the blood map, at most 1.
+    Returns a blood map and the map of an area of influence (0 = full influence). In the blood map, the skin is palest
+    at each knuckle, and the paleness fades out around it. The influence is 1 where the paleness is at least a third of
+    its maximum.
     """
     blood = (128 - 127 * fields.heads) / 255
     area = 1 - np.clip(3 * fields.heads, 0, 1)
