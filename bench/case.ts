@@ -51,8 +51,8 @@ export function activationOf(
   frame: number,
   { areas, active, still }: Pick<Case, 'areas' | 'active' | 'still'>,
 ): number {
-  // If only some areas are active, `divideAreas` has cut each area of the face into a group of strips. The middle strip is activated, because
-  // the outer strips are hardly visible.
+  // In cases with more areas than active areas, the areas are strips of the face's areas, see `divideAreas`. One strip per area of the face is
+  // active: the middle one, because areas fade out towards their borders.
   const groupSize = areas / active
   if (area % groupSize !== Math.floor(groupSize / 2)) return 0
   return 0.5 + 0.5 * Math.sin((still ? 0 : frame) * 0.37 + area * 2.4)

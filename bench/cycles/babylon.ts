@@ -31,7 +31,7 @@ declare global {
 /** Background colour. Needed because the canvas is opaque on WebGPU. */
 const BACKGROUND = [40 / 255, 40 / 255, 40 / 255, 1] as const
 
-/** Number of frames to draw before the picture, so that shaders are compiled and delayed activations have reached their final values. */
+/** Number of frames to draw before the picture, so that shaders are compiled and `time` drivers have reached their final activations. */
 const FRAMES = 10
 
 registerWrinkleMaps()
@@ -60,7 +60,7 @@ window.drawWithBabylon = async (address, shot, { position, target, fov }) => {
   wrinkles.clock = { now: () => milliseconds }
   await scene.whenReadyAsync()
   for (let i = 0; i < FRAMES; i++) {
-    // Advances by 10 s per frame, so that delayed activations reach their final values.
+    // 10 s per frame, far longer than `time` drivers delay activations.
     milliseconds += 10_000
     engine.beginFrame()
     scene.render()

@@ -71,7 +71,7 @@ export async function denseSkin({ skin, activations }: Description, folder: stri
 
 /**
  * Reads the wrinkles of a folder. Returns the packed areas and two functions of texture coordinates: `heightAt` returns the displacement in metres,
- * and `bloodAt` returns the optical depth of the blood for green light.
+ * and `bloodAt` returns the added optical depth of blood for green light (negative = paler).
  */
 async function readWrinkles(folder: string, activations: Record<string, number>) {
   const set = await readFolder(folder, false, WHO)

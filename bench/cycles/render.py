@@ -3,7 +3,7 @@
     python render.py SCENE.json PICTURE.png
 
 The scene file lists the face, the name of the skin's mesh, the camera, lights and blendshape weights. Lengths are in metres, and +Y is up. Binary
-files in the same folder contain the displaced skin: vertices, texture coordinates, colour factors and triangles.
+files in the same folder contain the displaced skin: positions, texture coordinates, tints of the base colour, and triangles.
 """
 import json
 import math
@@ -51,11 +51,11 @@ def replace_skin(name, folder):
     attribute = mesh.color_attributes.new(TINT, 'FLOAT_COLOR', 'POINT')
     attribute.data.foreach_set('color', np.insert(tints, 3, 1, axis=1).ravel())
     mesh.update(calc_edges=True)
-    # Welds the duplicate vertices at UV seams, because seams would look like creases.
     material = old.data.materials[0]
     mesh.materials.append(material)
     skin = bpy.data.objects.new('split skin', mesh)
     bpy.context.scene.collection.objects.link(skin)
+    # Duplicate vertices at UV seams are welded, because seams would look like creases.
     weld = skin.modifiers.new('weld', 'WELD')
     weld.merge_threshold = 1e-7
     bpy.data.objects.remove(old)

@@ -122,8 +122,8 @@ async function compare(shot, page, python) {
 }
 
 /**
- * Writes a figure with two rows. The first row shows `pictures`: without wrinkles, with wrinkles, and by Cycles. The second row shows the map
- * of FLIP errors in the compared crop, and this crop of the second and the third picture.
+ * Writes a figure with two rows. The first row shows `pictures`: without wrinkles, with wrinkles, and by Cycles. The second row shows the
+ * crop in which FLIP compares the pictures: the map of errors, then the second and the third picture.
  */
 async function compose(pictures, difference, [left, top, width, height], path) {
   const side = 600

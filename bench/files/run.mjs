@@ -44,7 +44,7 @@ const rows = [
 const text = (ms) => `${ms.toFixed(0)} ms`.padStart(16)
 process.stdout.write(`${cpus()[0].model}, ${cpus().length} cores, medians of ${rounds} rounds\n`)
 process.stdout.write(
-  `${['', 'wrinkles', 'their images', 'without images'].map((head) => head.padStart(16)).join('')}\n`,
+  `${['', 'wrinkles', 'images', 'without images'].map((head) => head.padStart(16)).join('')}\n`,
 )
 for (const { name, wrinkles, images, withoutImages } of rows) {
   process.stdout.write(`${name.padStart(16)}${[wrinkles, images, withoutImages].map(text).join('')}\n`)

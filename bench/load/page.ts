@@ -1,4 +1,4 @@
-/** Page that measures the time from a file's bytes to the first frame with the face. Before that, it draws one frame of an empty scene. */
+/** Page that measures the time from a file's bytes to the first frame with the face. Before the measurement, it draws an empty scene. */
 import { Box3, DirectionalLight, type Mesh, PerspectiveCamera, Scene, Vector3, WebGLRenderer } from 'three'
 import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 
@@ -6,7 +6,7 @@ import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 export interface FirstFrame {
   /** Time that `GLTFLoader` takes to parse the file's bytes. */
   parsed: number
-  /** Time from the end of parsing until the GPU has rendered the face. */
+  /** Time from the call that draws the face until the GPU has rendered it. Setting up the scene after parsing is not included. */
   drawn: number
   /** Upper bound of the longest main-thread task while parsing. It is measured as the longest gap between messages that are posted continuously. */
   longest: number

@@ -36,7 +36,7 @@ export const CROWD_PICTURE = { width: 1920, height: 1600 }
 const AREAS = 8
 /** Blendshapes with a nonzero weight per face, about as many as an expression has. */
 const ACTIVE_SHAPES = 6
-/** Triangles per face divided by the square of the face's height in pixels. Each triangle then covers about four pixels. */
+/** Times the square of a face's height in pixels, this is its number of triangles. A visible triangle then covers about four pixels. */
 const TRIANGLE_DENSITY = 0.42
 /** Instances per mesh. three.js stores blendshape weights in a texture with one row per instance, and most devices allow 8192 rows. */
 const MAX_INSTANCES = 5000
@@ -46,7 +46,7 @@ const UPDATES = 8
 /**
  * Measures how much of a crowd's frame time is spent on influence maps. The activations of all faces change before each update and each frame.
  *
- * @returns the time of an update of the influence maps divided by the time of a full frame, 0..1, one number per round.
+ * @returns for each round, the time to update the influence maps of all faces, divided by the time of a full frame, 0..1.
  */
 export async function measureCrowd(bench: Bench, kind: CrowdKind, plan: Plan): Promise<number[]> {
   const { timedRenderer } = bench

@@ -9,8 +9,9 @@ import { giveDistinctProgram } from './distinct-program.ts'
 import { createSet, createSkin } from './scene.ts'
 import { type AppliedVariant, VARIANTS } from './variant.ts'
 
-/** Allowed difference of a colour channel (0..255) between variants that must look equal, and the fraction of channels that may exceed it. */
+/** Allowed difference of a colour value (0..255) between the pictures of variants that must look equal. */
 const MAX_DIFFERENCE = 2
+/** Fraction of a picture's colour values that may differ by more than `MAX_DIFFERENCE`. */
 const MAX_FRACTION = 1e-5
 /** Minimum duration of a measurement in milliseconds, because some clocks only have a resolution of 0.1 ms. */
 const MIN_MS = 20
@@ -29,7 +30,8 @@ interface Candidate {
  * Times every variant that supports a case. Each round compiles all variants again, because a software rasteriser sometimes compiles
  * the same shader to slower code.
  *
- * @throws Error if a variant shows no wrinkles. Throws the signal's reason if `plan.signal` is aborted.
+ * @throws Error if a variant shows no wrinkles, if pictures that must be equal differ, or if `plan.variants` lacks `plain`. Throws the signal's
+ * reason if `plan.signal` is aborted.
  */
 export async function measure(bench: Bench, benchCase: Case, plan: Plan): Promise<Measured[]> {
   const set = createSet(bench.face, benchCase)
@@ -82,7 +84,7 @@ function createCandidates(
 
 async function warmUp(bench: Bench, benchCase: Case, candidate: Candidate): Promise<void> {
   drawFrame(bench, benchCase, candidate, 0, bench.timedRenderer.drawPixel)
-  // Leaves time between frames, in which some programs are compiled.
+  // Some programs are compiled asynchronously. The pause lets this happen before frames are timed.
   await new Promise((resolve) => setTimeout(resolve, 5))
 }
 

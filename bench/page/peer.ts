@@ -1,4 +1,4 @@
-/** Code shared by the variants that reimplement techniques of other authors. They compute the normal in GLSL for WebGL and in TSL for WebGPU. */
+/** Code shared by the variants `jimenez`, `o3de` and `stripped`. They compute the normal in GLSL for WebGL and in TSL for WebGPU. */
 import type { GrayImage, WrinkleSet } from 'furrow'
 import { packColours } from 'furrow/internal'
 import {
@@ -90,8 +90,8 @@ function patchTsl(material: MeshPhysicalMaterial, { textures, weights, tsl, addN
   const base = texture(material.normalMap!).xyz.mul(2).sub(1) as Node<'vec3'>
   const normal = tsl(base, textures, weightNodes)
   const scale = uniform(material.normalScale) as unknown as Node<'vec2'>
-  // WebGPURenderer creates a node material from this material and copies `normalNode` to it. Its program cache does not compare the copied nodes,
-  // so each technique needs a different cache key.
+  // WebGPURenderer creates a node material from this material and copies `normalNode` to it. Its program cache ignores the copied nodes. Each
+  // technique needs its own cache key, or it would use the program of another technique.
   Object.assign(material, addNodes?.(material), {
     normalNode: normalMap(normal.mul(0.5).add(0.5) as Node<'vec3'>, scale),
   })

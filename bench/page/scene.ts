@@ -39,7 +39,7 @@ export function createScene(face: Face, aspect: number): Pick<Bench, 'scene' | '
   return { scene, camera, ambient }
 }
 
-/** Creates a mesh of the face's skin with a cloned material. It shares geometry and textures with the face. */
+/** Creates a mesh of the face's skin with a cloned material. The mesh shares geometry and textures with the face. */
 export function createSkin({ skin }: Face): Mesh {
   const material = skin.material as MeshPhysicalMaterial
   if (!material.isMeshPhysicalMaterial)
@@ -73,7 +73,7 @@ export function createSet(
   return { layers: copies, areas: divideAreas(originals, areas, names) }
 }
 
-/** Creates an onset map with the size of an occlusion map: darker texels begin to wrinkle earlier. */
+/** Creates an onset map from an occlusion map. Wrinkles are deepest where the occlusion map is dark, so they appear there at the lowest influence. */
 function onsetOf({ width, height, data }: GrayImage): GrayImage {
   return { width, height, data: data.map((value) => value / 2) }
 }

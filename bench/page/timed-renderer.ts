@@ -15,10 +15,10 @@ import { type Clock, passClock, queryClock } from './timestamps.ts'
 export interface TimedRenderer {
   /** Name of the GPU. */
   adapter: string
-  /** Method of timing: GPU timestamps, or a fence after the frames. */
+  /** Method of timing: GPU timestamps, or elapsed CPU time until a fence after the frames is reached. */
   timing: 'timestamps' | 'fence'
   draw(scene: Scene, camera: Camera): void
-  /** Draws a frame but shades only one pixel. This compiles shaders quickly. */
+  /** Draws a frame but shades only one pixel. This compiles the shaders without the cost of a full frame. */
   drawPixel(scene: Scene, camera: Camera): void
   /** Updates the influence map of `wrinkles` without drawing the scene. */
   update(wrinkles: Pick<Wrinkles, 'update'>): void

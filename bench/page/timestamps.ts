@@ -1,5 +1,5 @@
 /// <reference types="@webgpu/types" />
-/** Runs `frames`, a function that draws one or more frames, and returns their GPU time in milliseconds. */
+/** Runs `frames`, which draws one or more frames. Returns their total time in milliseconds: GPU time, or elapsed time without timestamp queries. */
 export type Clock = (frames: () => void) => Promise<number>
 
 /** Maximum number of render passes timed together. WebGPU limits a query set to 4096 entries, and each pass needs two. */

@@ -10,7 +10,7 @@ export const TILE = 254
 const AT_ONE_METRE = 148
 
 /**
- * Columns of a sheet: three ages close up, then half of the expression, the face at 1 m, and the region in profile or from the other side.
+ * Columns of a sheet: three ages close up, then half of the expression, the face at 1 m, and the region from the angle `side`.
  */
 const COLUMNS = [
   { age: 30 },
@@ -22,9 +22,10 @@ const COLUMNS = [
 ]
 
 /**
- * Parts of the face that a sheet shows. `targets` is the expression that creases the region. `centre` returns the middle of the picture in
- * face coordinates (see `Landmarks`), and `height` the height of the picture at that point, in millimetres. Cameras on the
- * person's left have positive angles, degrees. `side` is the angle of the column in profile. Default columns: `COLUMNS`.
+ * Parts of the face that a sheet shows. `targets` is the expression that creases the region. `centre` returns the point in the middle of the
+ * picture in face coordinates (see `Landmarks`). `height` returns the height of the visible part of the face there, in millimetres. `yaw` is
+ * the camera's angle, in degrees, and `side` the angle for columns with `side: true`. Cameras on the person's left have positive angles.
+ * Default columns: `COLUMNS`.
  */
 export const REGIONS = {
   glabella: {
@@ -119,7 +120,7 @@ export const REGIONS = {
 }
 
 /**
- * Returns requests for the pictures of a head, one per column. The requests lack the file.
+ * Returns requests for the pictures of a head, one per column. The caller adds the path of the head's file to each.
  *
  * @param frame result of `headFrame`.
  */
