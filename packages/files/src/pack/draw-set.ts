@@ -153,8 +153,8 @@ async function drawLayer(
 /**
  * Computes the blood map of a redrawn layer, with half the width and height of its height map. Replaces the blood in
  * the valleys of the old wrinkle lines by that in the new valleys, see `changedBlood`. Other blood, e.g. painted by
- * hand, stays. Valleys are computed from the 8-bit heights as stored, so that a later run finds the same valleys and can
- * subtract their blood.
+ * hand, stays. Valleys are computed from the 8-bit heights as stored, so that a later run finds the same valleys and
+ * can subtract their blood.
  */
 async function bloodOf(
   entry: LayerEntry,

@@ -28,7 +28,7 @@ export function isDrawn(json: GltfJson, material: number): boolean {
 }
 
 /**
- * Checks whether a material and its meshes can show wrinkles, by the rules of the loaders.
+ * Checks whether a material is lit, and whether its meshes have the attributes that loaders need to show wrinkles.
  *
  * @param faces indices of the meshes to check. Other meshes with the material are ignored.
  */
@@ -77,7 +77,7 @@ function drawnPrimitives(json: GltfJson, material: number, faces?: readonly numb
   })
 }
 
-/** Returns the indices of the meshes that a scene contains. */
+/** Returns the indices of the meshes that at least one scene of the file contains. */
 function meshesInScenes({ scenes = [], nodes = [] }: GltfJson): number[] {
   const reached = new Set<number>()
   let level = scenes.flatMap((scene) => scene.nodes ?? [])

@@ -16,8 +16,8 @@ import { checkFaces, isDrawn } from './face-rules.ts'
 import { errorFinding, type Finding, warningFinding } from './finding.ts'
 
 /**
- * Checks every material with wrinkles by the rules of the extension FURROW_wrinkle_maps. Reports an error exactly if a
- * loader would show the face without wrinkles. Never throws FurrowError.
+ * Checks every material with wrinkles by the rules of the extension FURROW_wrinkle_maps. Reports an error exactly if
+ * loaders would show a material without its wrinkles. Never throws FurrowError.
  */
 export async function checkWrinkles(glb: Glb): Promise<Finding[]> {
   const materials = wrinkledMaterials(glb)
@@ -150,7 +150,7 @@ function checkEncodings({ glb, maps }: WrinkledFile): Finding[] {
 }
 
 function checkAreas({ areas }: Inspection): Finding[] {
-  // Image tools can discard colours only in PNG images, because they cannot open KTX 2 arrays.
+  // Image tools may discard the colours of texels with alpha 0. They cannot open KTX 2 arrays, so arrays are safe.
   const inImages = areas.filter(({ channel, slice }) => channel === 'A' && slice === undefined)
   const withAlpha = new Set(inImages.map(({ texture }) => texture))
   return areas.flatMap((area) => {
@@ -165,7 +165,7 @@ function checkAreas({ areas }: Inspection): Finding[] {
   })
 }
 
-/** Warns about a texture whose `texCoord` differs from the normal map's. Loaders use the normal map's for all textures. */
+/** Warns if the `texCoord` of a texture and of `normalTexture` differ. Loaders use that of `normalTexture` for both. */
 function checkCoordinates({ glb, material, maps }: WrinkledFile): Finding[] {
   const expected = glb.json.materials![material].normalTexture?.texCoord ?? 0
   const infos = [

@@ -69,7 +69,7 @@ function foundAreas(files: readonly string[]): Json[] {
   return matches(files, /^areas\/([^/]+)\.png$/).map((name) => ({ name }))
 }
 
-/** Adds maps to the layers of a document: all images in a layer's folder that the document does not name. */
+/** Adds optional maps that a layer of the document omits, if the layer's folder has the image, e.g. `blood.png`. */
 function completeLayers(layers: unknown[], files: readonly string[], who: string): void {
   for (const layer of layers) {
     if (!isObject(layer) || typeof layer.name !== 'string') continue
@@ -82,8 +82,8 @@ function completeLayers(layers: unknown[], files: readonly string[], who: string
 }
 
 /**
- * Throws if a layer has a height or blood map but no amplitude. Users cause this when they add the map to the folder
- * and do not edit `wrinkles.json`.
+ * Throws if a layer uses a height or blood map in its own folder, e.g. `layers/NAME/height.png`, but has no amplitude.
+ * Users cause this when they add the map to the folder and do not edit `wrinkles.json`.
  */
 function checkAmplitudes(layer: Json, files: readonly string[], who: string): void {
   for (const { map, limit, typical } of AMPLITUDES) {

@@ -8,8 +8,8 @@ import { readJson } from '../disk/read-bytes.ts'
 import { folderDocument, WRINKLES_FILE } from './folder-document.ts'
 
 /**
- * Reads `wrinkles.json` of a folder. If it omits the layers, the areas, the strokes or an optional map of a layer, this
- * function adds the files in the folder. Without `wrinkles.json`, layers and areas are in alphabetical order.
+ * Reads the wrinkle set of a folder. If `wrinkles.json` is missing, or omits the layers, the areas, the strokes or an
+ * optional map of a layer, this function adds the files in the folder. Added layers and areas are sorted by name.
  *
  * @param whiteIsVisible for areas without a `convention`: true for white = visible, false for black = visible (as in
  *   the paper of Reis, De Martino and Batagelo).
@@ -41,7 +41,7 @@ export async function readReferenced(
   return (await read(uri)).bytes
 }
 
-/** Lists all files in a folder and its subfolders. Paths are relative, with `/` as separator, and sorted. */
+/** Lists the files and folders inside a folder, at any depth. Paths are relative to it, use `/`, and are sorted. */
 async function listFiles(folder: string, who: string): Promise<string[]> {
   if ((await statOf(folder).catch(() => undefined))?.isFile()) throw isFile(folder, who)
   try {

@@ -57,11 +57,11 @@ export interface AreaReport {
 export interface Inspection {
   material?: string
   fileBytes: number
-  /** Bytes of all images with wrinkles in the file. A shared image counts once. */
+  /** Bytes of the images of maps and areas, as encoded in the file. A shared image counts once. */
   imageBytes: number
   /** GPU memory of maps and areas. All faces from this file share it. */
   gpu: GpuSizes
-  /** Additional GPU memory per face, bytes. */
+  /** GPU memory of the influence map, bytes. Each face has its own influence map. */
   influenceMapBytes: number
   layers: LayerReport[]
   areas: AreaReport[]
@@ -146,8 +146,8 @@ async function measureMap(
 }
 
 /**
- * Computes the GPU memory of each area. An area in a PNG image gets its own slice on the GPU. Areas in a KTX 2 array
- * share slices, up to four in one.
+ * Computes the GPU memory of each slice with areas. An area in a PNG image gets its own slice on the GPU. Areas in a
+ * KTX 2 array share slices, up to four in one.
  */
 function areaGpuSizes(areas: readonly AreaReport[]): GpuSizes[] {
   const slices = new Map(areas.map((area) => [`${area.texture} ${area.slice}`, area]))

@@ -1,4 +1,4 @@
-/** GPU memory of a texture in three encodings, bytes. */
+/** GPU memory of a texture in three encodings, bytes. For slices with up to four areas, see `areaSliceSizes`. */
 export interface GpuSizes {
   /** Without compression: 4 bytes per texel of a map, 1 byte per texel of an area. */
   uncompressed: number

@@ -28,7 +28,8 @@ export interface UnpackedWrinkles {
 
 /**
  * Converts the wrinkles of a material to the files of a folder: `wrinkles.json`, `layers/NAME/*.png`, `areas/NAME.png`
- * and `strokes.json`. If a name is not valid as a file name, only the path changes, and `wrinkles.json` keeps the name.
+ * and `strokes.json`. If a name is not valid as a file name, the path contains a valid name instead, and
+ * `wrinkles.json` keeps the name.
  *
  * @param whiteIsVisible how areas are written: true for white = visible, false for black = visible (as in the paper of
  *   Reis, De Martino and Batagelo).

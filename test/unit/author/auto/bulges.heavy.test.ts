@@ -92,7 +92,7 @@ test('bulges alone need no lines', async () => {
   expect(bulges.map(({ name }) => name)).toEqual(['jowlLeft', 'jowlRight'])
   expect([areas.length, layers.length, emptyReason]).toEqual([0, 1, undefined])
   expect(make(skin, { age: 30, regions: ['jowl'] }).emptyReason).toBe(
-    'the regions show from the age of 35 years on',
+    'the chosen regions only bulge above the age of 35 years',
   )
 })
 

@@ -42,8 +42,8 @@ export interface AutoArea {
   /** Fraction of length that the skin loses across the lines, in the expression that causes the lines. */
   compression: number
   /**
-   * Root mean square difference, 0..1, between the driver's activation and the activation that follows from the measured compression. The
-   * mean covers poses with one blendshape and poses with several.
+   * Root mean square error of the driver's activation, 0..1, over poses with one or several blendshapes. The correct activation of a pose is
+   * computed from the compression that the pose causes. 0 if the driver was not fitted to compression.
    */
   error: number
   /** Number of wrinkle lines. */
@@ -60,7 +60,7 @@ export interface AutoWrinkles {
   layers: AutoLayer[]
   /** Pattern of fine furrows. Undefined if furrows are disabled, if texels are too large for furrows, or if no face was detected. */
   furrows: AutoFurrows | undefined
-  /** Areas of skin that rises with age, all on one layer. Empty if the option `age` is missing or low. */
+  /** Areas of skin that rises with age, all on one layer. Empty if the option `age` is missing or at most 35. */
   bulges: BulgeArea[]
   /** Blood maps of the layers, and areas that show only blood (reddened or pale skin). */
   blood: AutoBlood
@@ -223,9 +223,9 @@ export function strokesOf({
 }
 
 function emptyReasonOf(isUnknownHead: boolean, isTooYoung: boolean): string {
-  if (isTooYoung) return `the regions show from the age of ${BULGES_FROM} years on`
+  if (isTooYoung) return `the chosen regions only bulge above the age of ${BULGES_FROM} years`
   return isUnknownHead
-    ? 'the mesh looks like a head, but no blendshapes show where its eyes and mouth are, as blinks and smiles do'
+    ? 'the mesh looks like a head, but no blendshapes show where its eyes and mouth are (blinks and smiles would)'
     : 'no blendshape compresses the skin enough to crease it'
 }
 

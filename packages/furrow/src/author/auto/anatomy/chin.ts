@@ -5,8 +5,9 @@ import type { FaceRng } from './face-rng.ts'
 import { chinGroove } from './mouth-line.ts'
 import { bezierPath, chartPointOf, type FaceContext, type FaceRegion, type Guide } from './region.ts'
 
-/** Number of dimples, and the angle in radians from one to the next around their centre. */
+/** Number of dimples. */
 const DIMPLES = 34
+/** Angle in radians, around the centre of the dimpled oval, from each dimple to the next. */
 const GOLDEN_ANGLE = 2.4
 /** Oval that contains the dimples: distance of its centre from the groove above the chin, and half its height, in millimetres. */
 const DIMPLED_BELOW = 13
@@ -55,14 +56,17 @@ function chin(context: FaceContext): FaceRegion {
   }
 }
 
-/** Position of a dimple in the oval that contains all dimples. The origin is the centre of the oval, and its border is at the distance 1. */
+/** Position of a dimple in the oval that contains all dimples. The origin is the centre of the oval. */
 interface Dimple {
+  /** Millimetres, towards the person's left. */
   x: number
+  /** Millimetres, upwards. */
   y: number
+  /** Distance from the centre relative to the border of the oval, 0..1. */
   radius: number
 }
 
-/** @param corner distance of the corner of the mouth from the middle of the face. */
+/** @param corner distance of the corner of the mouth from the middle of the face, in millimetres. */
 function dimples(rng: FaceRng, corner: number, [centre, middle]: ChartPoint): Guide[] {
   // The golden angle keeps dimples apart (H. Vogel 1979, A better way to construct the sunflower head).
   const dimpleAt = (i: number, turn: number): Dimple => {

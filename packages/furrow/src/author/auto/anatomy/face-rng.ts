@@ -5,7 +5,7 @@ import { type FilmNoise, filmNoise, foldedNoise, mirroredNoise } from '../buckli
 
 /**
  * Random number generator for one part of the face. At symmetry 0, each part has its own numbers. At symmetry 1, a part on the person's right
- * has the numbers of the part on the left that it mirrors, and a part in the middle mirrors itself.
+ * has the numbers of the part on the left that it mirrors, and a part that crosses the middle is symmetric.
  */
 export class FaceRng {
   readonly #own: Rng
@@ -43,14 +43,14 @@ export class FaceRng {
   }
 
   /**
-   * Returns a uniformly distributed number between `-amplitude` and `amplitude`, which has the opposite sign on the other side of the face. Use
-   * it for distances across the face and for slopes, in parts that cross the middle.
+   * Returns a random number between `-amplitude` and `amplitude`. At symmetry 1, mirrored lines get opposite numbers, and a line in the middle
+   * gets 0. Use it for distances across the face and for slopes, in parts that cross the middle.
    */
   across(amplitude: number): number {
     return -amplitude + 2 * amplitude * this.#next(true)
   }
 
-  /** Returns the irregularities of a film. */
+  /** Returns random irregularities for a part of the skin that buckles, see `SkinFilm.noise`. */
   film(): FilmNoise {
     const own = filmNoise(this.#own.integer())
     if (!this.#mirrored) return own

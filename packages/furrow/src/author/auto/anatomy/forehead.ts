@@ -17,7 +17,7 @@ import {
 const MIDDLE = 4
 /** Half the width, in millimetres, of the transition between an inner and an outer area. */
 const HALVES = 9
-/** Width, in millimetres, of the margin that `isFlattened` adds around the folds. */
+/** Width, in millimetres, of the margin around the folds in the patch that is flattened to a plane (see `SkinFilm.isFlattened`). */
 const BORDER = 8
 /** Range of heights above the brows, in millimetres. The compression fades in from the first to the second. */
 const LOWER_EDGE = [3, 13] as const
@@ -39,8 +39,8 @@ export function forehead({ landmarks, ageFraction, byAge, rngOf }: FaceContext):
   const rng = rngOf('forehead')
   const [dipInMiddle, fallAtBrows] = [rng.uniform(1.5, 7), rng.uniform(2, 5)]
   /**
-   * Returns the drop of the fold at a point, and the derivative of the drop by `across`. Folds dip between the brows and fall towards the
-   * temples. The sum of `up` and `drop` is constant along a fold.
+   * Returns the drop of a fold at a point, in millimetres, and its derivative by `across`. The sum of `up` and the drop is constant along a
+   * fold: folds dip between the brows and fall towards the temples.
    */
   const dropAt = (across: number, up: number): [drop: number, slope: number] => {
     const t = clamp((up - brow) / height, 0, 1)

@@ -12,13 +12,13 @@ const LOWER_RED = 0.55
 interface LipLines {
   /** Numbers of lines at 20 and 80 years. */
   counts: readonly [at20: number, at80: number]
-  /** Distance in millimetres from the start of a line, inside the red, to the border: real lines cross it. */
+  /** Distance in millimetres from the start of a line, on the red of the lip (vermilion), to the border of the red. Real lines cross this border. */
   inside: number
-  /** Range of lengths relative to the skin between the lip and the nose or the groove above the chin. */
+  /** Range of lengths outside the red, relative to the skin between the red and the nose (upper lip) or the groove above the chin (lower lip). */
   lengths: readonly [low: number, high: number]
   /** Range of depths relative to the deepest line. */
   depths: readonly [low: number, high: number]
-  /** Distance of the innermost lines from the middle of the face, relative to that of the corner of the mouth: the philtrum has none. */
+  /** Distance of the innermost lines from the middle of the face, relative to that of the corner of the mouth. The philtrum has no lines. */
   innermost: number
 }
 
@@ -40,7 +40,7 @@ const LOWER: LipLines = {
 const OUTERMOST = 0.8
 /** Minimum length of a line outside the red, in millimetres. */
 const MIN_LENGTH = 2.5
-/** Exponent of the places of lines. Below 1, it crowds them towards the corners of the mouth. */
+/** Exponent applied to the position of a line between middle (0) and corner of the mouth (1). Below 1, lines are closer together near the corners. */
 const CROWDING = 0.75
 
 /** Returns the regions of the lips, with fine lines that run away from the red (orbicularis oris muscle). */

@@ -12,9 +12,9 @@ const INNER_EDGE = [-1, 7] as const
 const OUTER_EDGE = [0, 8] as const
 /** Ratio of height to width of an oval around the eye. The folds follow its lower half. */
 const OVAL = 0.62
-/** Distance, in millimetres, by which `isFlattened` extends below the folds and beside them. */
+/** Width, in millimetres, of the margin below and beside the folds in the patch that is flattened to a plane (see `SkinFilm.isFlattened`). */
 const BORDER = 7
-/** Distance, in millimetres, by which `isFlattened` extends above the folds, onto the lid. */
+/** Width, in millimetres, of this margin above the folds, on the lid. */
 const LID_BORDER = 2
 
 /** Returns the region below the lower lid: skin that the cheek and the ring muscle around the eye (orbicularis oculi) push up. */

@@ -3,7 +3,7 @@ import { wingGroove } from './wing-groove.ts'
 
 /** Width in millimetres of the cheek skin whose compression forms the nasolabial fold. The skin of the lip hardly contributes. */
 const CHEEK = 10
-/** Fraction by which a smile shortens the cheek across the fold. Near the lips, other shapes hide it on many heads. */
+/** Fraction by which a smile is assumed to shorten the cheek across the fold. The blendshapes of many heads compress it less near the lips. */
 const COMPRESSION = 0.3
 /** Height of the fold's start above the base of the nose, in millimetres. */
 const START = 11

@@ -24,7 +24,7 @@ const RIDGE = [2.5, 6.5] as const
 const CHEEK = [4, -3] as const
 /** Factor on the slope of the folds. With a factor of 1, they would lie on lines through the corner of the eye. */
 const FLATTENING = 0.3
-/** Width, in millimetres, of the margin that `isFlattened` adds around the folds. */
+/** Width, in millimetres, of the margin around the folds in the patch that is flattened to a plane (see `SkinFilm.isFlattened`). */
 const BORDER = 6
 
 /** Returns the regions on both sides of the nose, where the nasalis muscle gathers the skin. Their lines run towards the corner of the eye. */

@@ -59,8 +59,8 @@ const MEASURES: readonly Measure[] = [
 ]
 
 /**
- * Typical angle, in radians, by which the skin above the eyes faces upwards when the line from eyes to mouth is vertical. The angle of human
- * heads is 9 to 23 degrees. A smaller angle means that the mouth protrudes.
+ * Typical angle, in radians, by which the skin above the eyes faces upwards. The line from eyes to mouth is vertical in face coordinates. The
+ * angle of human heads is 0.16 to 0.4 (9 to 23 degrees). A smaller angle means that the mouth protrudes.
  */
 const LEAN = 0.24
 // Box of the skin above the eyes, in millimetres.
@@ -72,8 +72,8 @@ const BESIDE = 45
 const BEHIND = 30
 
 /**
- * Returns how far the mouth protrudes in comparison with a human face, in millimetres. The result is derived from the angle between the
- * line from eyes to mouth and the skin above the eyes.
+ * Returns how far the mouth protrudes in comparison with a human face, in millimetres. The skin above the eyes shows by which angle the line
+ * from eyes to mouth is tilted. The result is the length of this line times the tangent of the angle.
  */
 function muzzleOf({
   landmarks: { eye, mouthCorner },

@@ -30,7 +30,7 @@ export interface SkinRegion {
   name: string
   /** Weights of the blendshapes that crease the region most. The keys are ARKit names, or the rig's own names. */
   cause: Readonly<Record<string, number>>
-  /** ARKit names that `cause` had before blendshapes of the rig replaced missing ARKit shapes. */
+  /** ARKit names in the original `cause`, whose names may have been replaced by the rig's own names. For messages. */
   shapes?: readonly string[]
   /** Distance between lines in millimetres. One line takes up the compression of the skin over this distance. */
   spacing: number
@@ -41,8 +41,8 @@ export interface SkinRegion {
   /** Fraction of the depth that remains at rest on a face of 70 years, 0..1. If missing, the lines vanish at rest at any age. */
   atRest?: number
   /**
-   * Minimum compression in the region's expression, for regions whose blendshapes show little of the muscle's pull. If set, `cause` alone drives
-   * the area, whatever the measured compression is.
+   * Minimum compression for the depth of the lines, for regions whose blendshapes compress the skin less than the muscle does. If set, the
+   * driver is not fitted to the measured compression, but has the weights of `cause`.
    */
   assumedCompression?: number
   /** Distance from the lines, in millimetres, at which the area starts to fade out. */
@@ -75,7 +75,10 @@ export interface SkinFilm {
   thickness(point: ChartPoint): number
   /** Returns the unit direction of the muscle's pull at a point, on the head's chart. */
   pull(point: ChartPoint): ChartPoint
-  /** Random variation of the skin: relative amounts for thickness and critical compression, and the size of the bumps in millimetres. */
+  /**
+   * Random variation of the skin: standard deviations of the relative thickness and of the logarithm of the critical compression, and size of
+   * the irregularities in millimetres (see `planeNoise`).
+   */
   variation: { thickness: number; critical: number; size: number }
   /** Irregularities of the skin, mirrored from side to side on a symmetric face. */
   noise: FilmNoise
