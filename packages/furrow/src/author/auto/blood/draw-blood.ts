@@ -37,7 +37,7 @@ export interface AutoBlood {
 
 /**
  * Distance in millimetres over which a flush (a part of the face that reddens or turns pale) fades out towards the areas of wrinkle lines in
- * its layer. If a flush overlapped these areas, they would show it without its delay.
+ * its layer. Drivers of wrinkle lines have no delay, so where a flush overlapped their areas, it would appear at once.
  */
 const LINE_FADE = 4
 
