@@ -3,9 +3,9 @@ import type { CoarseMesh } from './coarse-mesh.ts'
 
 /**
  * Computes the mipmap level at which a height map must be sampled, for each vertex. Sharper levels contain details that are smaller than the
- * distance between vertices. Such details would displace single vertices (L. Williams, "Pyramidal Parametrics", 1983). At the returned level,
- * a texel is half as wide as the distance between vertices. The shortest waves that the vertices can represent lose a quarter of their
- * amplitude at this level, and three quarters at the next level.
+ * distance between vertices. The mesh cannot represent these details, so they would appear as spikes at single vertices (aliasing; see
+ * L. Williams, "Pyramidal Parametrics", 1983). At the returned level, a texel is half as wide as the distance between vertices. The shortest
+ * waves that the vertices can represent lose a quarter of their amplitude at this level, and three quarters at the next level.
  *
  * @param firstOf maps each vertex to the first vertex at the same position; see `firstVertices`.
  * @param edge distance between vertices after subdivision, in metres.

@@ -6,8 +6,8 @@ import { type HeightField, raisedTexels } from './height-fields.ts'
 import { MAX_LEVEL, nextCorner } from './welded-edges.ts'
 
 /**
- * Maximum error of the surface in metres, for each version of the dense mesh. The errors are less than half a pixel at 10, 5 and 2.5 pixels
- * per millimetre. At 10 pixels per millimetre, a head is 2,000 pixels high.
+ * Maximum distance, in metres, between the dense mesh and the exact displaced surface, for each version of the dense mesh; finest first. The
+ * distances are less than half a pixel at 10, 5 and 2.5 pixels per millimetre. At 10 pixels per millimetre, a head is 2,000 pixels high.
  */
 export const TOLERANCES = [0.00004, 0.00008, 0.00016] as const
 
@@ -38,7 +38,8 @@ export function* neededHalvings(
   levels: ArrayLike<number>,
 ): Generator<void, Float32Array[]> {
   const { uvs, triangles } = mesh
-  // Triangles with displacements of at most half the tolerance are not halved, because their error is below the tolerance.
+  // Triangles with displacements of at most half the finest tolerance are not halved, not even for their curvature. Interpolated between their
+  // corners, such displacements are wrong by at most the tolerance.
   const isCovered = coverage(mesh, yield* raisedTexels(fields, TOLERANCES[0] / 2))
   const count = Math.floor(triangles.length / 3)
   const needed = TOLERANCES.map(() => new Float32Array(3 * count))

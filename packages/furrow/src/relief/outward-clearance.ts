@@ -121,7 +121,7 @@ class PointGrid {
     }
   }
 
-  /** Returns the indices of all points, sorted by cell. */
+  /** Returns the indices of all points. Points in the same cell are consecutive. */
   points(): Uint32Array {
     const all = new Uint32Array(this.#count)
     let count = 0

@@ -223,8 +223,8 @@ function squaredLengths(
 }
 
 /**
- * Returns two pairs of texture coordinates for each position: the smallest and the largest pair, in lexicographic order. They are stored at the
- * index of the first vertex at the position.
+ * Returns two pairs of texture coordinates for each position: the lexicographically smallest and largest pairs of the vertices there.
+ * The four numbers of a position start at 4 times the index of its first vertex.
  */
 function uvsOfPoints({ uvs }: CoarseMesh, firstOf: Uint32Array): Float64Array {
   const found = new Float64Array(4 * firstOf.length)

@@ -56,7 +56,7 @@ export class Activations {
    * Sets the activation of an area.
    *
    * @param value 0..1. Other values are clamped, and NaN becomes 0. The first such value logs a warning.
-   * @throws FurrowError if the name is unknown or the value is not a number.
+   * @throws FurrowError if the name is unknown or `value` is not of type number.
    */
   set(name: string, value: number): void {
     const index = this.#indexOf(name)

@@ -36,8 +36,9 @@ export interface Vector4Like {
  * the skin. The atlas is a grid of cells, one per face.
  */
 export class AtlasCells {
-  /** Width and height of a cell in texels. The areas of each face have this size. */
+  /** Width of a cell in texels, equal to the width of the weight maps of areas. All faces in the atlas have weight maps of one size. */
   readonly width: number
+  /** Height of a cell in texels, equal to the height of the weight maps. */
   readonly height: number
   /**
    * Factors (x, y) and offsets (z, w) for texture coordinates. They map the centre of a cell's first texel to 0 and the centre of its last
@@ -74,7 +75,7 @@ export class AtlasCells {
     return this.changes === this.#used
   }
 
-  /** Locations of the weights of all areas that the faces use. */
+  /** For each wrinkle set that the faces use, the slices and channels of the texture array that store the weights of its areas. */
   get slots(): Set<Face['slots']> {
     return new Set(this.#cells.flatMap((cell) => (cell ? [cell.face.slots] : [])))
   }

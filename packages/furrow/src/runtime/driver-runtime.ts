@@ -155,7 +155,10 @@ export class DriverRuntime<Engine> {
     }
   }
 
-  /** Copies the resting activations of a face to `values`, in the order of the plan's areas. */
+  /**
+   * Copies the resting activations of a face into `values`, in the order of the plan's areas. Drivers then add to these values. Areas that the
+   * face does not have get 0.
+   */
   #rest({ resting: { values: from } }: Face, values: Float32Array): void {
     const indices = this.#indices
     for (let k = 0; k < indices.length; k++) values[k] = indices[k] === NO_AREA ? 0 : from[indices[k]]

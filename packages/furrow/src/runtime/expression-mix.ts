@@ -94,7 +94,7 @@ export class ExpressionMix {
 
   /**
    * Starts a transition from the current values to one or several expressions. For several, the difference of each expression from the
-   * resting face is multiplied by its weight and added to the resting face. Sums are clamped to 0..1.
+   * resting face is multiplied by its weight and added to the resting face. The sum is clamped to 0..1 after each addition.
    *
    * @param choice name of one expression, or names and weights of several.
    * @param seconds duration. The default, 0, applies the choice immediately.

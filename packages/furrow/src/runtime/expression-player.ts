@@ -86,7 +86,8 @@ export class ExpressionPlayerBase {
     for (const { influences, target, name } of this.#bindings) targets[name] = influences[target]
     for (const [index, name] of areaNames.entries()) {
       if (!wrinkles?.hasArea(name)) continue
-      // Drivers such as age add to the resting activation in each frame. Starting from the sum would add them twice.
+      // Inputs such as age add to the resting activation of an area that no motion drives. The transition must start from the resting
+      // activation, because the current activation already contains these inputs.
       const isAddedTo = wrinkles.driven && !wrinkles.isDriven(name)
       activations[index] = isAddedTo ? wrinkles.getRestingActivation(name) : wrinkles.getActivation(name)
     }

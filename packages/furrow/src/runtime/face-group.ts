@@ -42,7 +42,7 @@ export abstract class FaceGroup<Engine = unknown> {
 
   /**
    * @param count number of faces.
-   * @param slots locations of the areas' weights, in the order of `areas`.
+   * @param slots slices and channels of the texture array that store the weights of areas, in the order of `areas`.
    */
   constructor(count: number, areas: readonly Area<ArraySlice>[], slots: AreaSlots) {
     this.areas = [...areas]

@@ -9,7 +9,7 @@ export class Face {
   readonly resting: Activations
 
   /**
-   * @param slots locations of the areas' weights, in the order of `areas`.
+   * @param slots slices and channels of the texture array that store the weights of areas, in the order of `areas`.
    * @param areas areas with resting activations.
    */
   constructor(slots: AreaSlots, areas: readonly { name: string; activation?: number }[]) {

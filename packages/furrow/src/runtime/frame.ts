@@ -106,7 +106,10 @@ export class Frame<Engine extends object, Target extends InfluenceTarget<Engine>
     drawn.renders = this.#renderCount(engine) + Number(!isCounted)
   }
 
-  /** Runs the phases that have not run in this frame. Call this method before a member is drawn. */
+  /**
+   * Prepares a member. Call this method before the engine draws the member. The first call in a frame runs the phases of all members that are
+   * due. Later calls run the phases of this member if they have not run in this frame.
+   */
   begin(entry: FrameEntry<Engine>, engine: Engine): void {
     this.#count = 0
     const drawn = this.#drawnBy(engine)

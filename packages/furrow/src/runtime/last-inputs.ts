@@ -39,7 +39,10 @@ export class LastInputs {
     for (let i = 0; i < values.length; i++) values[i] = this.#values[start + i]
   }
 
-  /** Whether the activations of a face must be computed. Reasons are changed inputs, areas or activations. */
+  /**
+   * Whether the activations of a face must be computed, because its inputs, resting activations, activations or list of areas have changed since
+   * the last `settle`.
+   */
   check(face: number, { resting, activations }: Face): boolean {
     if (resting.version !== this.#resting[face] || activations.version !== this.#activations[face])
       this.isDue[face] = 1

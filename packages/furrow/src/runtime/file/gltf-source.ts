@@ -33,7 +33,10 @@ export interface FileArrays {
   join(set: WrinkleSet<ArraySlice>): WrinkleSet<ArraySlice>
 }
 
-/** Use of a KTX 2 image. The GPU format depends on it. */
+/**
+ * Use of a KTX 2 image, which determines its GPU format and colour space. `areas`: weights of areas or heights. `colours`: base colours, in
+ * sRGB. `maps`: normals and all other maps of layers.
+ */
 export type MapUse = 'areas' | 'maps' | 'colours'
 
 export interface FileArray {

@@ -5,8 +5,9 @@ const isObject = (value: unknown): value is Record<string, unknown> =>
 const listOf = (value: unknown): unknown[] => (Array.isArray(value) ? value : [])
 
 /**
- * Moves blendshape names to `extras.targetNames` of the mesh, where glTF readers expect them. Some exporters write them to
- * `extras.targetNames` of primitives, or to `targets[].extra.targetName`, which glTF forbids.
+ * Moves blendshape names to `extras.targetNames` of the mesh, where glTF readers expect them. Some exporters write the names to
+ * `extras.targetNames` of primitives. Others write them to `extra` or `extras` of morph targets, although glTF allows only vertex attributes
+ * there.
  *
  * If a name is empty or too long for a driver, the index of its blendshape replaces it. If several blendshapes have the same name, only the
  * last keeps the name, because three.js finds only the last.

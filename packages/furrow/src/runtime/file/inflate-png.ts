@@ -1,7 +1,7 @@
 import type { PngChunk, PngHeader } from '../../core/maps/png.ts'
 import type { RgbaImage } from '../../core/types.ts'
 
-/** Number of channels of each PNG colour type, without palettes. */
+/** Number of channels of each PNG colour type that has no palette. */
 const CHANNELS: Readonly<Record<number, number>> = { 0: 1, 2: 3, 4: 2, 6: 4 }
 
 /**

@@ -21,7 +21,10 @@ export class MapSource {
   /** KTX 2 images and arrays, by index of the texture. */
   readonly #arrays = new Map<number, Promise<FileArray>>()
   #arrayReader: Promise<FileArrays> | undefined
-  /** Queue of images that are not PNG. Their size is unknown before decoding. They are decoded in turn, until their total size exceeds the limit. */
+  /**
+   * Resolves when all queued images are decoded. Images that are not PNG are queued, because their size is unknown before decoding. Once the
+   * decoded size of the file's images exceeds the limit, the rest of the queue fails without decoding.
+   */
   #decoding: Promise<unknown> = Promise.resolve()
 
   /** @param decoded sums the decoded sizes of the file's images, and limits the sum. */
