@@ -43,7 +43,7 @@ test('an avatar that only has emotions wrinkles by them, and the command says wh
 test('a message says that nothing moves the forehead of an avatar whose brows are in front of the skin', async () => {
   const { told } = await made('floating', FLOATING_BROWS)
   const reasons = new Map(told.missing.map(({ name, reason }) => [name, reason]))
-  expect(reasons.get('foreheadInnerLeft')).toContain('compress the skin too little to fold it')
+  expect(reasons.get('foreheadInnerLeft')).toContain('the skin is compressed too little to fold')
   for (const { compression } of told.areas) expect(compression).toBeGreaterThan(0.01)
   expect(told.areas.map(({ name }) => name)).toEqual(
     expect.arrayContaining(['crowsFeetLeft', 'nasolabialLeft']),

@@ -35,25 +35,26 @@ const SATURATION = 0.06
 const FIRST_HEIGHT = 0.01
 /** Size of the bumps in the initial noise, in wavelengths. */
 const FIRST_SIZE = 0.2
-/** Amplitude of the constant noise force, in millimetres. */
+/** Amplitude of the constant noise force f in the equation of `buckle`, in millimetres. */
 const LASTING_FORCE = 0.02
-/** Size of the bumps in the constant noise force, in millimetres. */
+/** Size of the bumps in the noise force, in millimetres. */
 const LASTING_SIZE = 1.5
 /** Minimum coefficient of the stabilising diffusion. */
 const MIN_STABILISER = 3
-/** Ratio of the stabilising terms to half of the largest explicit terms. */
+/** Ratio of the stabilising terms to the minimum for stability, which is half of the largest explicit linear terms. */
 const STABILISER = 1.3
-/** Number of progress reports. */
+/** Number of steps between progress reports. */
 const REPORT_STEPS = 20
 
 /**
  * Computes the wrinkles of a compressed film. Solves an anisotropic Swift-Hohenberg equation, to which the Foeppl-von Karman equations reduce
  * near the onset of buckling:
  *
- *     k0^4 w_t = -(lap^2 + k^4) w - 2 d_i [k^2 / e (C_ij - <w_i w_j> / 2) d_j w] - k0^4 (q w^2 / 2 + p w^3)
+ *     k0^4 w_t = -(lap^2 + k^4) w - 2 d_i [k^2 / e (C_ij - <w_i w_j> / 2) d_j w] + k0^4 (f - q w^2 / 2 - p w^3)
  *
- * Here, w is the height, t the time, C the compression and e the critical compression. The local wavelength has the wave number k, and the
- * mean wavelength has k0. The factor q is `SHARPNESS`, and p is `SATURATION`. Angle brackets denote smoothing with `RELEASE_SIGMA`.
+ * Here, w is the height, t the time, C the compression and e the critical compression. The noise force is f. C and f grow from 0 to their full
+ * values. The local wavelength has the wave number k, and the mean wavelength has k0. The factor q is `SHARPNESS`, and p is `SATURATION`.
+ * Angle brackets denote smoothing with `RELEASE_SIGMA`.
  *
  * Steps are semi-implicit in Fourier space (Chen, Shen 1998, Applications of semi-implicit Fourier-spectral method to phase field
  * equations). Only + - * / and sqrt are used, so all JavaScript engines give the same bits.
@@ -85,9 +86,12 @@ class Solver {
   readonly #released: readonly [Float64Array, Float64Array, Float64Array]
   /** Spectrum of the Gaussian that smooths `#released`. */
   readonly #smoothing: Float64Array
-  /** Spectrum of the stabilising terms. A step subtracts them at the new heights and adds them at the old heights. */
+  /**
+   * Coefficients of the stabilising terms, per component of the spectrum. A step adds these terms explicitly (for the heights at its start) and
+   * subtracts them implicitly (for the heights at its end).
+   */
   readonly #stabiliser: Float64Array
-  /** Spectrum by which a step divides. */
+  /** Coefficients of the new heights in the implicit equation of a step, per component of the spectrum. */
   readonly #divisor: Float64Array
   /** Squared wave number of each component of the spectrum, divided by k0^2. */
   readonly #square: Float64Array
@@ -165,7 +169,7 @@ class Solver {
     this.#stabilise()
   }
 
-  /** Adapts the stabilising terms to the largest imposed, released or remaining compression. */
+  /** Adapts the stabilising terms to the largest imposed, released or remaining (imposed minus released) compression. */
   #stabilise(): void {
     const { compression, critical } = this.#film
     const [cxx, cxy, cyy] = compression
@@ -252,7 +256,7 @@ class Solver {
     const { width, height } = this.#film.grid
     const [re, im] = this.#a
     for (let y = 0; y < height; y++) {
-      // The slope of the wave with the highest wave number is not a real field, so it is left out.
+      // The wave with the highest wave number is left out, because the spectrum of its slope is not that of a real field.
       const ky = 2 * y === height ? 0 : this.#ky[y]
       for (let x = 0; x < width; x++) {
         const i = y * width + x

@@ -57,7 +57,7 @@ export function flatChart(
  * Finds the point of the surface at a flat position by walking from a nearby triangle.
  *
  * @param start index of a triangle of the chart.
- * @returns the point, and the index of its triangle in the chart; undefined if the flat position is outside the chart.
+ * @returns the point, and the index of its triangle in the chart; undefined if the walk leaves the chart or crosses `MAX_CROSSED` triangles.
  */
 export function liftPoint(
   chart: FlatChart,

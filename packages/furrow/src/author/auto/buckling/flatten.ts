@@ -76,7 +76,10 @@ function cotangents(shapes: Float64Array): Float64Array {
   })
 }
 
-/** Rotates each triangle to fit its flat positions best, then sums the weighted edges at each point. */
+/**
+ * Rotates each triangle so that it fits its flat positions best. Writes the right side of the least-squares system to `out`. For each point, it is
+ * the sum of the rotated, weighted edges that end there, minus the sum of the edges that start there.
+ */
 function rotatedEdges(
   corners: Uint32Array,
   shapes: Float64Array,

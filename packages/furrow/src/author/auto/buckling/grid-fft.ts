@@ -69,8 +69,8 @@ class Butterflies {
   }
 
   /**
-   * Transforms all sequences of a field. Element i of a sequence is `i * stride` after its first element. Each loop runs over all sequences
-   * before the next factor is read.
+   * Transforms all sequences of a field. Element i of a sequence is `i * stride` after its first element. Each stage reads a
+   * twiddle factor once and applies it to all sequences.
    *
    * @param stride 1 if the sequences are rows, or the width of the field if they are columns.
    */

@@ -53,7 +53,7 @@ export function sampleChart(chart: FlatChart, spacing: number, margin: number): 
   return { chart, grid: { width, height, spacing }, origin: [origin[0], origin[1]], triangles, barycentrics }
 }
 
-/** Returns the sample nearest to a position in millimetres from the first sample. */
+/** Returns the index of the sample nearest to a position. The position is relative to the first sample, in millimetres. */
 export function sampleAt({ grid: { width, height, spacing } }: ChartSamples, x: number, y: number): number {
   const column = clamp(Math.round(x / spacing), 0, width - 1)
   const row = clamp(Math.round(y / spacing), 0, height - 1)
@@ -80,7 +80,7 @@ export function sampleValues(
 /**
  * Samples a tensor field of the surface in the axes of the chart.
  *
- * @param tensors `compressionTensors` per point of the surface.
+ * @param tensors result of `compressionTensors` for the surface.
  * @returns components xx, xy and yy; 0 outside the chart.
  */
 export function sampleTensors(

@@ -115,7 +115,7 @@ class TracedPoints {
   }
 }
 
-/** Follows a valley from a point until it becomes shallow, leaves the region given by `isInside`, or meets another valley. */
+/** Follows a valley from a point until the valley becomes shallow, turns sharply, leaves the region given by `isInside`, or meets another valley. */
 function follow(
   relief: Relief,
   { step, wavelength, isInside, minDepth }: ValleySettings,
@@ -183,7 +183,7 @@ function steepestAxis({ xx, xy, yy }: { xx: number; xy: number; yy: number }) {
   const half = (xx - yy) / 2
   const radius = length2(half, xy)
   const curvature = (xx + yy) / 2 + radius
-  // The eigenvector has two forms. The longer one is used, because it has no cancellation.
+  // (half + radius, xy) and (xy, radius - half) are parallel eigenvectors. The longer one has no difference of nearly equal numbers.
   const [x, y] = half > 0 ? [half + radius, xy] : [xy, radius - half]
   const size = length2(x, y)
   return size > 0 ? { x: x / size, y: y / size, curvature } : { x: 1, y: 0, curvature }

@@ -4,7 +4,7 @@ import { type BulgeRegion, unevenness } from './bulge-region.ts'
 
 /** Range of distances below the centre of the closed lids in which the margin of the lower lid is searched, and the step, in millimetres. */
 const SEARCHED = { from: 12, to: 5, step: 0.5 } as const
-/** Distance of the margin in millimetres if the mesh has no hole at the eye. */
+/** Distance of the margin below the centre of the closed lids, in millimetres, if the mesh has no hole at the eye. */
 const USUAL_MARGIN = 8
 /** Distances below the margin of the lower lid, in millimetres: crest of the bag, and groove below the bag. */
 const CREST = 7.2
@@ -69,7 +69,7 @@ export function bag(context: FaceContext, side: Side, name: string): BulgeRegion
   }
 }
 
-/** Returns the height of the margin of the lower lid: the lower edge of the hole at the eye. */
+/** Returns the chart's `up` coordinate of the margin of the lower lid, which is the lower edge of the hole at the eye. */
 function lidMargin({ landmarks, radiusAt }: FaceContext, across: number): number {
   const eye = landmarks.eye[1]
   for (let below: number = SEARCHED.from; below >= SEARCHED.to; below -= SEARCHED.step)

@@ -10,7 +10,7 @@ export interface BulgeLine {
   height: number
   /** Heights along the line as fractions of `height`, 0..1, evenly spaced. */
   heights?: readonly number[]
-  /** Asymmetry, -0.9..0.9. Positive values make the left side steeper. */
+  /** Asymmetry, -0.9..0.9. Positive values make the side on the left of the path steeper, as seen from outside. */
   lean?: number
   /** Lengths of the fade-in and the fade-out, as fractions of the line's length. */
   taper: readonly [start: number, end: number]
@@ -20,7 +20,7 @@ export interface BulgeLine {
 export interface BulgeRegion {
   /** Name of the area. */
   name: string
-  /** Lines. Without the first one, the region has no bulge. */
+  /** Lines. If the mesh has no skin along the first line, the region gets no bulge. */
   lines: readonly BulgeLine[]
 }
 

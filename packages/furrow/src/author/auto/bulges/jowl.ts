@@ -12,8 +12,8 @@ const ABOVE_JAW = 10.5
 const SEARCHED = [4, 18] as const
 
 /**
- * Returns the jowl: skin and fat that sink over the edge of the jaw beside the chin. A ligament holds the skin in front of it, where a groove
- * forms (prejowl sulcus).
+ * Returns the jowl: skin and fat that sink over the edge of the jaw beside the chin. In front of the jowl, a ligament holds the
+ * skin, and a groove forms (prejowl sulcus).
  */
 export function jowl({ landmarks, radiusAt, rngOf }: FaceContext, side: Side, name: string): BulgeRegion {
   const rng = rngOf(`jowl${name}`)

@@ -26,7 +26,7 @@ export interface MissingRegion {
 
 /** Compression up to which skin shows no line, as a fraction of the compression at full activation. */
 const ONSET = 0.12
-/** Minimum compression of a region that creases. */
+/** Regions whose skin loses less than this fraction of its length across the lines get no driver. */
 const MIN_COMPRESSION = 0.012
 /** The compression at full activation is at least this fraction of the largest compression by a single target (blendshape). */
 const SINGLE_TARGET = 0.7
@@ -67,14 +67,14 @@ export function fitDriver(
   if (cause.size === 0) return `no blendshape is ${(region.shapes ?? []).join(' or ')} or stands in for it`
   if (creases.length === 0)
     return 'film' in region
-      ? `${shapes} compress the skin too little to fold it`
-      : 'the mesh has no skin where its lines begin'
+      ? `with ${shapes}, the skin is compressed too little to fold`
+      : 'the mesh has no skin where the lines begin'
   if (region.assumedCompression !== undefined) {
     const targets = [...cause].map(([target, weight]) => ({ name: names[target], weight }))
     return { ...creased, driver: driverOf(region, targets), error: 0 }
   }
   const gauge = makeGauge(surface, region, folds)
-  if (!gauge) return 'the mesh has no skin beside its lines'
+  if (!gauge) return 'the mesh has no skin beside the lines'
   const rest = vectorsAcross(gauge, surface.points)
   const bounds = known.map((name, i) => boundsOf(name, shapeNameOf(name, hints[i]), region))
   const probe = { vectors: new Float64Array(rest.length), weight: 1 }
@@ -100,7 +100,7 @@ export function fitDriver(
   )
   if (Math.min(full, creased.compression) < MIN_COMPRESSION) {
     const most = percent(Math.max(0, Math.min(full, creased.compression)))
-    return `${shapes} shortens the skin across its lines by ${most}; creases begin at ${percent(MIN_COMPRESSION)}`
+    return `with ${shapes}, the skin shortens by ${most} across the lines; creases begin at ${percent(MIN_COMPRESSION)}`
   }
   const relative = compressions.map((value) => value / full)
   const chosen = strongestTargets(relative)
@@ -116,7 +116,7 @@ export function fitDriver(
     .map((target, i) => ({ name: names[target], weight: roundWeight(weights[i]) }))
     .filter(({ weight }) => Math.abs(weight) >= NEGLIGIBLE / 2)
   if (!targets.some(({ weight }) => weight > 0))
-    return `${shapes} creases it no more than other blendshapes do`
+    return `with ${shapes}, the skin creases no more than with other blendshapes`
   let squares = 0
   for (const [i, pose] of poses.entries()) {
     const fitted = chosen.reduce((sum, target, k) => sum + weights[k] * (pose.get(target) ?? 0), 0)
@@ -154,7 +154,7 @@ function strongestTargets(relative: readonly number[]): number[] {
     .map(({ target }) => target)
 }
 
-/** Chooses poses: the cause, each target alone at full and at half weight, and random combinations of two to four targets. */
+/** Chooses poses: the cause, each target alone at full and at half weight, and random combinations of up to four targets. */
 function drawPoses(targets: readonly number[], cause: Pose): Pose[] {
   const rng = new Rng(1, 'poses')
   const poses: Pose[] = [cause]

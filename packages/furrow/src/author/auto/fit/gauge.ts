@@ -8,9 +8,9 @@ import { unroll } from '../surface/head-chart.ts'
 /** Maximum number of triangles per region. Further triangles would hardly change the mean compression. */
 const MAX_TRIANGLES = 10_000
 
-/** Data to measure by which fraction a pose compresses the skin of a region. The compression is measured across the region's lines. */
+/** Triangles near a region's lines. With them, `measureCompression` measures how much a pose shortens the skin across the lines. */
 export interface Gauge {
-  /** Three points per triangle near the lines. */
+  /** Three points per triangle. */
   corners: Uint32Array
   /**
    * For each triangle, the unit vector across the nearest line, stored as two factors. The first factor multiplies the edge from the first to

@@ -8,10 +8,12 @@ import type { CreasedRegion } from '../lines/crease.ts'
 const CROSSING = cos((35 * Math.PI) / 180)
 
 /**
- * Assigns regions of skin to layers. Regions whose wrinkle lines cross get different layers, because an area of influence shows all lines of
- * its layer. The left and the right region of a pair, and regions that share lines, get the same layer.
+ * Assigns regions of skin to layers. Regions whose wrinkle lines cross get different layers: an area of influence shows all lines of its
+ * layer, so it would also show the lines that cross its own lines. The left and the right region of a pair, and regions that share lines,
+ * get the same layer.
  *
- * @param maxLayers maximum number of layers, 1..4. If more would be needed, the regions with the fewest crossings share a layer.
+ * @param maxLayers maximum number of layers, 1..4. If the lines of a region cross lines in every layer, the region gets the layer with
+ * the fewest crossings.
  * @returns index of each region's layer.
  */
 export function assignLayers(regions: readonly CreasedRegion[], maxLayers: number): number[] {

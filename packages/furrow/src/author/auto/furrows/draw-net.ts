@@ -42,7 +42,8 @@ export function drawNet(
   { layers, areaTexels }: Pick<AutoMaps, 'layers' | 'areaTexels'>,
   { size, frame }: MapSettings,
 ): { layer: AutoLayer; net: AutoFurrows } {
-  // The pattern depends on the coordinate system. Use mesh coordinates, so that drawing the strokes document later repeats the pattern.
+  // The pattern depends on the coordinate system. Use the mesh's coordinates rather than the face's, because whoever draws the strokes document
+  // later has only the mesh, and must get the same pattern.
   const canvas = skinCanvas(prepared.skin, size, size, prepared.scale)
   const { heights, occlusion } = flatSkin(size, size)
   addFurrows(

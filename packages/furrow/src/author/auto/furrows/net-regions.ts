@@ -9,7 +9,10 @@ export interface NetRegion {
   name: string
   /** The part gets furrows if the user requested at least one of these regions. */
   regions: readonly AutoRegion[]
-  /** Spheres that contain the part. Centres are on the head's chart (the head unrolled into a plane), radii in millimetres. */
+  /**
+   * Spheres that contain the part. Each sphere is centred on the skin at a position on the head's chart (the head unrolled into a plane). Radii
+   * are in millimetres.
+   */
   spheres: readonly { centre: ChartPoint; radius: number }[]
   /** Size of the cells between furrows, in millimetres. */
   size: number

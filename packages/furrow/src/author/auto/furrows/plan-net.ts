@@ -44,7 +44,8 @@ export interface NetSettings {
 /**
  * Chooses the regions of a face that get fine furrows, and the size and depth of the furrows.
  *
- * @returns `net` is undefined if texels are too large for furrows in most regions. `missing` lists the regions without furrows.
+ * @returns `net` is undefined if no region was requested, or if fewer than half of the requested regions can have furrows. `missing` lists the
+ * requested regions without furrows.
  */
 export function planNet(
   prepared: PreparedSkin & { face: DetectedFace },

@@ -16,8 +16,8 @@ const DEFAULT_REACH = 0.8
 const MIN_DEPTH = 0.5
 
 /**
- * Computes the reach of the banks on the left and right of each line, in millimetres. A bank reaches to the neighbouring line, so that the
- * banks of both lines form one bulge.
+ * Computes the reach of the banks on the left and right of each line, in millimetres. A bank is the raised skin beside a line. It
+ * reaches to the neighbouring line, so that the banks of both lines form one bulge.
  *
  * @param depths relative depths of the lines.
  * @param spacing approximate distance between lines in millimetres.
@@ -72,7 +72,10 @@ class LinePoints {
     }
   }
 
-  /** Returns one point per line: the nearest one within reach. Skips lines for which `isSearched` is false. Some points are beyond the reach. */
+  /**
+   * Returns the nearest point of each line that comes within reach, and also of some lines slightly farther away. Skips lines for which
+   * `isSearched` is false.
+   */
   nearest(position: Float64Array, isSearched: (line: number) => boolean): Float64Array[] {
     const found = new Map<number, { point: number; square: number }>()
     this.#grid.visitNear(position, (point, square) => {

@@ -13,13 +13,13 @@ const MAX_PULL = 0.13
 const PULL = 2
 /** The typical compression is the value that the measured compression along the pull exceeds in this fraction of the skin. */
 const PULLED = 0.1
-/** Minimum weight of the skin that counts for `PULLED`. */
+/** Skin counts for `PULLED` only if the weight of its compression (`FilmFields.weight`) is at least this. */
 const FULL_WEIGHT = 0.5
 /** Fraction of the measured compression that is turned to the direction of the pull. */
 const DIRECTED = 0.7
 /**
- * Range to which the compression is clamped. Stretch below this range does not make the skin flatter. Compression above it occurs at the lids,
- * where skin moves together without folding.
+ * Range to which the compression is clamped. Stronger stretch does not make the skin flatter. Stronger compression occurs at the lids, where
+ * skin moves together without folding.
  */
 const COMPRESSIONS = [-0.15, 0.2] as const
 
@@ -34,7 +34,7 @@ export interface FilmFields extends Pick<Film, 'compression' | 'wavelength' | 'c
 /**
  * Computes the compression of a film, and its randomly varying wavelength and critical compression.
  *
- * @param tensors `compressionTensors` of the expression.
+ * @param tensors result of `compressionTensors` for the expression.
  */
 export function filmFields(samples: ChartSamples, film: SkinFilm, tensors: Float64Array): FilmFields {
   const { chart } = samples

@@ -24,7 +24,7 @@ const HIDDEN = 4
 const MIN_WEIGHT = 0.05
 /** Minimum depth of a line below the mean height, in millimetres. */
 const MIN_DEPTH = 0.07
-/** Minimum length of a line, in wavelengths. */
+/** Minimum length of a line, as a multiple of the region's `spacing`. */
 const MIN_LENGTH = 1.2
 /** Minimum mean cosine of the angle between a line and the perpendicular to the muscle's pull. */
 const ALIGNED = 0.7
@@ -42,9 +42,9 @@ interface FoldedFilm {
 /**
  * Lays lines along the valleys of skin that buckles.
  *
- * @param tensors `compressionTensors` of the region's expression.
+ * @param tensors result of `compressionTensors` for the region's expression.
  * @param report called with the fraction done.
- * @returns an empty array if the skin is compressed less than the critical compression.
+ * @returns the lines; empty if the mesh has no skin in the region, or if the skin buckles too little.
  */
 export function layFilm(
   face: Pick<DetectedFace, 'surface' | 'chart'>,

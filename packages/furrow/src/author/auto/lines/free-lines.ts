@@ -13,7 +13,7 @@ const START_DISTANCE = 0.9
 const MIN_DISTANCE = 0.6
 /** Minimum length of a line, as a multiple of `spacing`. */
 const MIN_LENGTH = 1.5
-/** Maximum length of a line in millimetres. */
+/** Maximum length of a line on each side of its starting point, in millimetres. */
 const MAX_LENGTH = 120
 
 export interface FreeLineSettings {
@@ -30,7 +30,7 @@ export interface FreeLineSettings {
  * Lays evenly spaced lines on skin whose anatomy is not known (Jobard and Lefer 1997, Creating evenly-spaced streamlines of arbitrary
  * density). The lines are perpendicular to the direction of maximum compression. The first line starts where the compression is largest.
  *
- * @param tensors `compressionTensors` of the pose that compresses the skin.
+ * @param tensors result of `compressionTensors` for the pose that compresses the skin.
  */
 export function layFreeLines(
   surface: SkinSurface,
