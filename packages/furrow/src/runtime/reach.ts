@@ -2,8 +2,8 @@ import { type Bounds, widen } from '../core/bounds.ts'
 import type { AreaSlots } from './area-slots.ts'
 
 /**
- * Rectangle in texture coordinates. It contains all areas of influence with an activation above 0. Its edges u0, v0, u1 and v1 are stored
- * as x, y, z and w, so that the vector classes of engines are compatible.
+ * Rectangle in texture coordinates that contains all texels with a weight above 0 in an area with an activation above 0. Its edges u0, v0,
+ * u1 and v1 are stored as x, y, z and w, so that the vector classes of engines are compatible.
  */
 export interface Reach {
   x: number
@@ -19,8 +19,8 @@ const FAR = 1e9
 const span: Bounds = { x0: 0, y0: 0, x1: 0, y1: 0 }
 
 /**
- * Computes the rectangle that contains all active areas. It is empty if no area is active. Shaders need to sample influences only inside
- * this rectangle.
+ * Computes the rectangle outside which no wrinkles are visible. It is empty if all activations are 0. Shaders need to sample influences only
+ * inside this rectangle.
  *
  * @param values activations, in the order of the slots.
  * @param reach receives the rectangle.

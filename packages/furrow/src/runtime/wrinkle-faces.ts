@@ -59,7 +59,7 @@ export abstract class WrinkleFaces {
     return groupOf(this).faces.length
   }
 
-  /** Area names in the order of the activations. */
+  /** Names of the areas, in the order of the wrinkle set. Added areas come last. */
   get areaNames(): string[] {
     return groupOf(this).areaNames
   }
@@ -80,7 +80,7 @@ export abstract class WrinkleFaces {
    *
    * @param value 0..1. Other values are clamped, with one warning.
    * @param instance index of an instance; default 0.
-   * @throws FurrowError if the area is unknown, the value is not a number, the instance does not exist, or the wrinkles have been disposed.
+   * @throws FurrowError if the area is unknown, `value` is not of type number, the instance does not exist, or the wrinkles have been disposed.
    */
   setActivation(area: string, value: number, instance = 0): void {
     groupOf(this).setActivation(area, value, instance)
@@ -110,7 +110,7 @@ export abstract class WrinkleFaces {
    * Sets the resting activation of an area. Drivers add to this activation. Animations in glTF files set it too.
    *
    * @param value 0..1. Other values are clamped, with one warning.
-   * @throws FurrowError if the area is unknown, the value is not a number, the instance does not exist, or the wrinkles have been disposed.
+   * @throws FurrowError if the area is unknown, `value` is not of type number, the instance does not exist, or the wrinkles have been disposed.
    */
   setRestingActivation(area: string, value: number, instance = 0): void {
     groupOf(this).setRestingActivation(area, value, instance)

@@ -166,7 +166,7 @@ export abstract class FramedMesh
     return true
   }
 
-  /** Phase 5: updates the composed normal map, or the activation table of the paper mode. */
+  /** Phase 5: updates the normal map of mode `composed`, or the activation table of mode `paper`. */
   composeNormals(renderer: AnyRenderer): void {
     const { update } = this.material
     if (!update) return

@@ -33,16 +33,17 @@ interface Batch {
 
 /**
  * Texture with the influence maps of several faces. An area is a group of wrinkles with weights in UV space and an activation, 0..1. An influence
- * map holds, per layer of wrinkles, the sum of the weights of all areas times their activations. All faces in an atlas have the same number of
+ * map combines, per layer of wrinkles, the weights of all areas times their activations. All faces in an atlas have the same number of
  * layers, and the weights of their areas have the same size in texels. Each face has one rectangle of the texture, its cell. A cell is redrawn
  * when an activation of its face changes, and one render pass redraws all changed cells of a frame. The shader of a face takes one sample of
  * its cell, regardless of the number of areas.
  *
- * A texel holds the sum over the areas that combine by `sum`, or the maximum over the areas that combine by `max`, whichever is larger. The value
- * may exceed 1. Shaders clamp it to 1 after interpolation, like the reference implementation.
+ * Each area contributes its weight times its activation. A texel holds the sum of the contributions of areas that combine by `sum`, or the
+ * largest contribution of the areas that combine by `max`, whichever is larger. The value may exceed 1. Shaders clamp it to 1 after
+ * interpolation, like the reference implementation.
  *
- * Texels are 32-bit floats if the GPU can filter and blend them, because software rasterisers are slower with half floats. Otherwise texels
- * are half floats. 8-bit texels cannot hold values above 1.
+ * With one or two layers, texels are 32-bit floats if the GPU can filter and blend them, because software rasterisers are slower with half
+ * floats. Otherwise texels are half floats. 8-bit texels cannot hold values above 1.
  */
 export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
   readonly layers: number
@@ -65,8 +66,8 @@ export class InfluenceAtlas implements InfluenceTarget<AnyRenderer> {
   readonly #drawnBy = new WeakMap<readonly Cell[], AnyRenderer>()
 
   /**
-   * @param width width of a cell and of the faces' areas, texels.
-   * @param height height of a cell and of the faces' areas, texels.
+   * @param width width of a cell and of the weight maps of areas, texels.
+   * @param height height of a cell and of the weight maps of areas, texels.
    * @param layers number of layers, one channel each.
    */
   constructor(width: number, height: number, layers: number, materials: QuadMaterials) {

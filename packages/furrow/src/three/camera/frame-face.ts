@@ -24,7 +24,7 @@ export interface FaceView {
   zoom?: number
 }
 
-/** Fraction of the picture's height that the head fills at zoom 1. */
+/** Fraction of the picture's height, or of its width if the picture is narrow, that the head fills at zoom 1. */
 const FILL = 0.9
 
 /** A facing direction within this angle of an axis, in radians, snaps to the axis. Scanned heads are not perfectly symmetric. */

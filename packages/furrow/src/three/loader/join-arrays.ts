@@ -80,7 +80,7 @@ function concatenate(arrays: readonly Compressed[], label: string): Compressed {
   return Object.assign(array, { minFilter, magFilter, wrapS, wrapT, colorSpace, needsUpdate: true })
 }
 
-/** Describes the size, mipmap count and format of an array, for errors. The format is the number of a three.js constant. */
+/** Describes the size, mipmaps and format of an array, for comparisons and errors. The format is the number of a three.js constant. */
 function layoutOf({ image, mipmaps, format, colorSpace }: Compressed): string {
   const encoding = `${colorSpace || 'linear'} format ${format}`
   return `${image.width} x ${image.height} with ${mipmaps?.length} levels, ${encoding}`

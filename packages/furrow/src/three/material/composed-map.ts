@@ -155,6 +155,7 @@ export class ComposedMap {
    * has lost its contents. The influence map must be up to date.
    *
    * @param values activations in the order of the areas.
+   * @param fade opacity of all wrinkles, 0..1.
    * @param version number that changes when weights of areas or maps of layers change.
    */
   update(renderer: AnyRenderer, areas: AreaArray, values: Float32Array, fade: number, version: number): void {

@@ -16,7 +16,7 @@ export interface ModeHost {
   onCompile(renderer: WebGLRenderer): void
 }
 
-/** A patch that makes a material show wrinkles. Callers must rebuild the material. */
+/** A patch that makes a material show wrinkles. After applying or undoing a patch, the caller must make the renderer rebuild the shader. */
 export interface ShownMode {
   /** Original normal map of the material, if the mode replaces it. */
   base?: Texture
