@@ -24,7 +24,7 @@ const GATHERED = 5
  * Lays lines on the skin along guides. A line starts at the first point of its guide and follows the guide, but turns slightly towards the
  * direction in which the skin is compressed least.
  *
- * @param tensors `compressionTensors` of the expression.
+ * @param tensors result of `compressionTensors` for the expression.
  * @returns one line for each guide that starts on skin and is long enough.
  */
 export function layGuides(
@@ -135,8 +135,8 @@ function turnToStrain(tensor: Float64Array, normal: Float64Array, direction: Flo
   const along = compressionAlong(tensor, direction[0], direction[1], direction[2])
   const across = compressionAlong(tensor, ax, ay, az)
   const shear = bilinearForm(tensor, direction, perpendicular)
-  // In Mohr's circle, the principal axes are at half of this angle. The direction is not reliable if the skin is compressed along the line
-  // rather than across it, or is hardly compressed.
+  // Mohr's circle yields twice the angle from the line to the direction of least compression. This direction is not reliable if the skin is
+  // compressed along the line rather than across it, or is hardly compressed.
   const doubleAngle = atan2(-2 * shear, across - along)
   const trust = Math.max(0, cos(doubleAngle)) * smoothstep(across / TRUSTED)
   const turn = clamp((YIELD * trust * doubleAngle) / 2, -MAX_TURN, MAX_TURN)

@@ -14,7 +14,7 @@ export type StrokedSkin = Pick<PreparedSkin, 'skin' | 'surface' | 'locator' | 'i
 const TOLERANCE = 0.08
 /** Spacing of a stroke's depth factors in millimetres. */
 const FACTOR_SPACING = 4
-/** Factor on a line's taper, because strokes have blunter ends than lines. */
+/** Ratio of a stroke's taper to the taper of its line. The shorter taper makes the ends of the stroke blunter. */
 const BLUNT = 0.85
 
 /**

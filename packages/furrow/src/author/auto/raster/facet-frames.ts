@@ -13,11 +13,17 @@ import { type Patch, patchOf } from './patch.ts'
 const NEAR = 0.6
 /** Poses with a lower activation than this are ignored, because they do not show the crease. */
 const MIN_ACTIVATION = 0.1
-/** Weight of the term that keeps the matrix M near the identity. Without the term, slopes could be infinite on facets seen edge-on. */
+/**
+ * Weight of the term that keeps the matrix M near the identity. Without the term, slopes could be infinite if the smooth normal lies in the
+ * facet's plane.
+ */
 const RIDGE = 0.02
 /** Triangles whose bounding box is smaller than this, in millimetres, need no correction, because a crease spans many of them. */
 const FINE = 0.5
-/** Maximum number of poses times triangles near a region's lines. Where skin overlaps, regions can have more; these are not corrected. */
+/**
+ * Maximum product of a region's poses and the triangles near its lines. A region can exceed the limit where layers of skin overlap. Its creases
+ * are then not corrected.
+ */
 const MAX_POSED = 500_000
 /** Count of numbers per triangle corner: elements 00, 01 and 11 of `transpose(D) * D`, then all elements of `transpose(D) * S`. */
 const STRIDE = 7

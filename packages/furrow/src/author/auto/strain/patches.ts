@@ -25,7 +25,10 @@ export interface CompressedPatch {
   tensors: Float64Array
 }
 
-/** Finds the connected patches that single blendshapes compress, sorted from large to small. If patches overlap, only the largest is kept. */
+/**
+ * Finds the connected patches that single blendshapes compress, sorted from large to small. Of patches that count as one (see `SAME`), only the
+ * largest is kept.
+ */
 export function findPatches(
   { surface, offsets, names }: Pick<PreparedSkin, 'surface' | 'offsets' | 'names'>,
   maxPatches: number,

@@ -18,7 +18,7 @@ export interface SkinChoice {
   index: number
   /** Motion of the chosen candidate as a fraction of the motion of all candidates, 0..1; NaN if nothing moves. */
   fraction: number
-  /** Description of the blendshapes whose motion was compared. */
+  /** Noun phrase for a message: the moving parts that were compared, such as "brows, lids and mouth". */
   movers: string
 }
 

@@ -124,7 +124,7 @@ export class HeadChart {
       interpolate(position, this.#surface.points, 3, a, b, c, weights[0], weights[1], weights[2])
       const distance = length2(position[0], position[2] + RADIUS)
       const larger = this.#pieces[a] - piece
-      // If a smaller connected component is just above a larger one, it is a beard or a brow, and the larger one is the skin.
+      // If a smaller connected component covers a larger one at a distance below `COVER`, the smaller one is a beard or a brow.
       if (
         distance <= farthest
           ? !(larger > 0 && farthest - distance < COVER)

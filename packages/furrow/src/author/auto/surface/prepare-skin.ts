@@ -64,14 +64,18 @@ export function prepareSkin(raw: Skin): PreparedSkin {
   const overlap = findOverlap(skin, surface)
   const isMirrored = face !== undefined && isFaceMirrored(face, overlap)
   if (isMirrored)
-    warnings.push('left and right use the same texels: both sides crease together, driven half by each side')
+    warnings.push(
+      'left and right use the same texels: both sides crease together, at half strength if only one side moves',
+    )
   else if (isOverlapped(overlap))
     warnings.push(
       `${percent(overlap.fraction)} of the texture is used twice: wrinkles there show in both places`,
     )
   const isUnknownHead = !face && isHead(surface, offsets, hints)
   if (!face && !isUnknownHead)
-    warnings.push('no face detected from the blendshapes: strain alone places the wrinkles, cautiously')
+    warnings.push(
+      'no face detected from the blendshapes: shallow lines are placed by the compression of the skin alone',
+    )
   const isDrawn = (face && drawnTriangles(surface, overlap)) ?? (() => true)
   const locator = new UvLocator(skin, surface, uvGridOf(skin, surface, isDrawn))
   return {
