@@ -17,8 +17,8 @@ const FULL_COMPRESSION = 0.35
 
 /**
  * Computes the area of influence of a blendshape or a muscle: a map of weights that tells where its wrinkles appear. Weights grow with the
- * square root of the displacement, from 0 for still skin to 1 at the largest displacement. The area has a soft edge and includes all skin
- * that moves. Stretched skin, for example beyond a muscle's end, gets small weights.
+ * square root of the displacement, from 0 for still skin to 1 for compressed skin at the largest displacement. Stretched skin, for example
+ * beyond a muscle's end, gets small weights. The area has a soft edge and includes all skin that moves.
  *
  * @param offsets packed xyz displacement per vertex.
  * @param size width and height of the area in texels.

@@ -19,7 +19,7 @@ export function valleyBlood({ width, height, data }: HeightMap): GrayImage {
   return { width, height, data: tones }
 }
 
-/** Encodes an amount of blood relative to skin at rest, -1..1, as a byte of a blood map. */
+/** Encodes an amount of blood as a byte of a blood map. The amount is a fraction of the amplitude, -1..1; 0 is skin at rest. */
 export function bloodByte(amount: number): number {
   return BLOOD_AT_REST + Math.round((255 - BLOOD_AT_REST) * clamp(amount, -1, 1))
 }

@@ -26,7 +26,10 @@ export type AutoRequest = AutoJob & {
   options: AutoOptions
   /** Version of the worker's code. */
   version: string
-  /** Name of a Web Lock that the worker holds until it ends. The page waits for this lock. Undefined if the browser has no Web Locks. */
+  /**
+   * Name of a Web Lock that the worker holds until it ends. The page requests the lock too, to notice that the worker has ended. Undefined if
+   * the browser has no Web Locks.
+   */
   lock?: string | undefined
 }
 

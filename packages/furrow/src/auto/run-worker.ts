@@ -109,6 +109,6 @@ function died(who: string, message?: string): FurrowError {
     who,
     problem: 'the worker ended before its work was done',
     value: message,
-    remedy: 'close other pages to free memory, or choose a smaller size',
+    remedy: 'close other pages to free memory, or choose smaller maps',
   })
 }

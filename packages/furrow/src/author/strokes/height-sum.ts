@@ -11,7 +11,7 @@ import { bankAt, bulgeAt, valleyAt } from './profile.ts'
  * into one bulge. The heights of bulges (strokes with a negative depth) are added to the result, because wrinkles follow the shape of bulges.
  */
 const JOIN = { valleys: 6, banks: 2 } as const
-/** Fraction of the light lost at the bottom of a valley whose depth equals its half width. */
+/** Fraction of the light lost in a valley, per depth in half widths. `MAX_SHADE` limits the fraction. */
 const SHADE = 1.1
 /** Maximum fraction of the light lost in a valley. */
 const MAX_SHADE = 0.75
@@ -111,7 +111,7 @@ export function addSection(
   const widened = Math.max(1, (NARROWEST * sharpest) / wall)
   const valley = depth * valleyAt(distance / wall, Math.max(softness, sharpest / (widened * wall)), widened)
   const reach = lerp(banks[0], banks[1], right)
-  // Round the sharp edge of the bank at the bottom of the valley.
+  // The banks of both sides meet in a sharp edge at the bottom of the valley. Round it.
   const rounded = sharpest > 0 ? distance / Math.sqrt(distance * distance + sharpest * sharpest) : 1
   const bank = depth * rounded * bankAt(distance / halfWidth, reach, lerp(shoulder[0], shoulder[1], right))
   sum.shade = Math.max(sum.shade, (valley / (widened * halfWidth)) * SHADE)

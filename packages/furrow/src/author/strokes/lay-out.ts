@@ -197,7 +197,7 @@ function rightOf({ points, normals }: SkinLine, i: number, out: Float64Array): v
   normalize(out)
 }
 
-/** Returns the fade of a stroke's depth, 0..1, at the fraction `t` of its length. */
+/** Returns the factor by which tapering reduces a stroke's depth at the fraction `t` of its length: 0 (no depth) to 1 (full depth). */
 export function taperAt(t: number, [start, end]: readonly [number, number]): number {
   const fadeIn = start === 0 ? 1 : smoothstep(t / start)
   const fadeOut = end === 0 ? 1 : smoothstep((1 - t) / end)

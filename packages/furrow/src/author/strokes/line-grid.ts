@@ -3,7 +3,7 @@ import { LineSegments } from './line-segments.ts'
 
 /** Minimum edge length of a cell in millimetres. A cell is a cube of the grid's finest level. */
 const MIN_CELL = 4
-/** Maximum number of cells along the longest axis. On very large skin, cells grow so that cell indices stay exact. */
+/** Maximum number of cells along the longest axis. On very large skin, cells are larger, so that the keys of `Level.cubes` stay below 2^53. */
 const MAX_CELLS_PER_AXIS = 2 ** 16
 /** Ratio between the edge lengths of cubes in two successive levels. */
 const BRANCHING = 4

@@ -3,7 +3,7 @@ import type { SkinLine } from './curve.ts'
 
 /** Factor that makes a computed distance a lower bound of the exact one, despite rounding errors. */
 const ROUNDED = 1 - 1e-6
-/** A line affects skin only if the cosine between their normals is at least this. Otherwise, a line on one lip would affect the other lip. */
+/** A line affects skin only if the cosine between their normals is at least this. A line on one lip therefore does not affect the other lip. */
 export const FACING = 0.25
 /** Numbers per segment: start, vector to its end, inverse of its squared length, normal. */
 const STRIDE = 10
@@ -73,7 +73,7 @@ export class LineSegments {
 
   /**
    * Returns -1 if a position is left of a segment, 1 if it is right. Around an end of the line, returns the sine of the angle between the
-   * segment and the direction from that end to the position. The angle is measured in the tangent plane, because skin is curved.
+   * segment and the direction from that end to the position. Both are projected onto the tangent plane of the segment.
    *
    * @param t result of `fractionAt` for the same segment and position.
    */

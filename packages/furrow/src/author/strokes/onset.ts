@@ -8,7 +8,10 @@ import { LineGrid, type LineVisitor } from './line-grid.ts'
 /** Onset of the deepest point of a group of strokes. */
 const ONSET_OF_DEEPEST = 0.04
 
-/** Onset where the depth of a stroke reaches 0. A whole byte, because rounding errors would decide whether 0.5 becomes byte 127 or 128. */
+/**
+ * Onset where the depth of a stroke reaches 0. It is not 0.5, because 0.5 is 127.5 as a byte, and rounding errors would decide between 127
+ * and 128.
+ */
 const ONSET_OF_ENDS = 128 / 255
 
 /** Constant added to the depth of a stroke to get its weight, so that strokes also have a weight at their ends. */
@@ -135,7 +138,7 @@ export class OnsetPen {
    *
    * @param position position of the texel on the skin.
    * @param normal normal of the skin at the position.
-   * @returns whether the block has another value than that texel had before.
+   * @returns whether the value of `texel` changed. The whole block then has the new value.
    */
   draw(texel: number, position: Float64Array, normal: Float64Array): boolean {
     const { width, height, data } = this.#map

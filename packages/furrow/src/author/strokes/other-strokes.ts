@@ -46,7 +46,8 @@ export class OtherStrokes {
   }
 
   /**
-   * Sets `sum` to the contributions of the strokes before the edited one, at one texel.
+   * Sets `sum` to the contributions of the strokes before the edited one, at one texel. `shade` also includes the strokes after the edited
+   * one, because the maximum does not depend on the order.
    *
    * @returns number to pass to `end` after the edited stroke is added to the sum.
    */

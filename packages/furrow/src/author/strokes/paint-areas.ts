@@ -17,7 +17,7 @@ export interface PaintedArea {
   weights: GrayImage
 }
 
-/** Minimum radius and soft edge, in millimetres, of the area around a group's strokes if the document defines no areas. */
+/** Default area around a group's strokes: minimum radius, and width of the soft edge, in millimetres. */
 const GROUP_SHAPE = { radius: 7, feather: 8 } as const
 
 /**
@@ -63,7 +63,7 @@ function areasOfGroups(strokes: readonly Stroke[]): AreaDefinition[] {
   }))
 }
 
-/** Returns the default shape around the strokes of a group. A wide bulge enlarges the radius, so that the weight is 1 up to half its width. */
+/** Returns the default shape around the strokes of a group. A wide bulge enlarges the radius, so that the weight is 1 up to half a width from the crest. */
 export function groupShape(group: string, strokes: readonly Stroke[]): GroupShape {
   const { radius, feather } = GROUP_SHAPE
   const radii = strokes.filter(isBulge).map(({ width }) => (width + feather) / 2)

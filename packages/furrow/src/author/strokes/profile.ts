@@ -34,8 +34,8 @@ export function valleyAt(distance: number, softness: number, widened = 1): numbe
 
 /**
  * Computes the height of a bank. It is proportional to `x * (1 - x)^2`, where x is the distance from the valley's bottom as a fraction of
- * `reach`. The bank starts at the bottom, peaks at a third of its reach and ends smoothly. Between two parallel valleys at the distance
- * `reach`, the two banks add up to the parabola `x * (1 - x)`: one convex bulge. With `shoulder` 1, a bank has the volume of half the valley.
+ * `reach`. The bank starts at the bottom, peaks at a third of its reach and ends smoothly. The banks between two parallel valleys that are
+ * `reach` apart form one bulge with its crest in the middle (see `HeightSum`). With `shoulder` 1, a bank has the volume of half the valley.
  *
  * @param distance distance from the valley's bottom, at least 0, in units of half the valley's width.
  * @param reach distance from the valley's bottom to the bank's outer end, in the same unit.

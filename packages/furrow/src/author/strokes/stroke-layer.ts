@@ -12,7 +12,7 @@ import { OnsetLayer } from './onset-layer.ts'
 import { OtherStrokes } from './other-strokes.ts'
 import { gridOf, laidOf, overlap, type PlacedStroke, placeOf } from './placed-stroke.ts'
 
-/** Base normal map and tangent frame of a `StrokeLayer`. */
+/** Options of a `StrokeLayer`. */
 export interface StrokeLayerOptions {
   /**
    * Normal map of the skin without wrinkles, for example with pores and scars. It must have the canvas's size. The layer keeps a reference

@@ -17,7 +17,7 @@ export interface ForkedStrokes<S extends Stroke> {
 /** Changed strokes. The keys are their indices. */
 export type ChangedStrokes<S extends Stroke> = Map<number, S>
 
-/** Adds a point to each trunk of a fork that has none there, so that the fork can be moved. The points move the lines by at most 0.1 mm. */
+/** Adds a control point at a fork to each trunk that has none there. `moveFork` moves these points. Adding them moves the lines by at most 0.1 mm. */
 export function withForkPoints<S extends Stroke>(
   strokes: readonly S[],
   { trunks }: Fork,
@@ -75,8 +75,8 @@ function withEnd<S extends Stroke>(stroke: S, end: 0 | 1, uv: Uv, lines: StrokeL
 }
 
 /**
- * Moves the branches of changed strokes, so that they stay attached. An end stays at the same fraction of the part between two points of the
- * trunk's spline. Branches of branches follow as well.
+ * Moves the branches of changed strokes, so that they stay attached. A branch attached between two control points of the trunk keeps its
+ * fraction of the arc length between them. Branches of branches follow as well.
  *
  * @param forked all strokes before the change.
  * @param changed changed strokes. Their splines have as many points as before, or lack the point `removed`.
@@ -114,7 +114,7 @@ export function pullBranches<S extends Stroke>(
   return all
 }
 
-/** Whether a change of a stroke has moved one of its ends. */
+/** Returns whether the given end of a stroke has moved. */
 function isMoved(before: Stroke, after: Stroke | undefined, end: 0 | 1): boolean {
   const [old, now] = [before, after ?? before].map(({ points }) => points[end * (points.length - 1)])
   return old[0] !== now[0] || old[1] !== now[1]

@@ -36,7 +36,7 @@ export function clamped([u, v]: Uv): Uv {
   return [Math.min(1, Math.max(0, u)), Math.min(1, Math.max(0, v))]
 }
 
-/** Returns, for each control point of a spline, its index in `line`. Control points outside the skin get the previous point's index. */
+/** Returns the index of the line's point at each control point of a spline. A control point outside the skin gets the previous one's index. */
 export function knotsOf(
   { points: uvs }: Stroke,
   line: TracedStroke,
