@@ -4,14 +4,18 @@
  * - `extendPlanes` supplies positions outside the islands, for maps that are computed from positions on the skin. Such maps look the same on
  *   both sides of a UV seam.
  * - `copyNearest` copies the nearest value. It fills the metric (see `Metric`), because a copied metric stays positive definite.
- * - `dilate` averages neighbours to hide steps. It fills maps that have values only inside the islands, such as baked maps.
+ * - `dilate` averages known neighbours, so that filled texels show no steps. It fills maps that have values only inside the islands, such as
+ *   baked maps.
  */
 
 import { length2 } from '../math/vector.ts'
 
 /** Width in texels of the margin around islands in maps without mipmaps. */
 export const FILTER_MARGIN = 3
-/** Width in texels of the margin around islands in maps with mipmaps. Filtering the third mipmap reads 12 texels, and slopes read 2 more. */
+/**
+ * Width in texels of the margin around islands in maps with mipmaps. Filtering mipmap level 3 reads up to 12 texels beyond an island. The
+ * slopes of these texels depend on heights 2 texels farther away.
+ */
 export const MIPMAP_MARGIN = 14
 
 /** Triangle edge at the border of an island, in texels. */
@@ -130,7 +134,7 @@ function distanceBounds(edges: Iterable<BorderEdge>, width: number, height: numb
         for (let across = -1; across <= (up < 0 ? 1 : -1); across++) {
           const column = (block % blocks) + sign * across
           if (column < 0 || column >= blocks) continue
-          // Outside the first and last row, `bound` is NaN and the comparison below is false.
+          // Above the first row and below the last row, `bound` is NaN and the comparison below is false.
           const step = across !== 0 && up !== 0 ? Math.SQRT2 : 1
           const bound = bounds[block + sign * (across + up * blocks)] + step * BLOCK
           if (bound < bounds[block]) bounds[block] = bound

@@ -104,7 +104,7 @@ function bitangentsOf(normals: Float32Array, tangents: Float32Array): Float32Arr
 /**
  * Returns the frame of a mesh without tangents, as `getTangentFrame` in three.js's shaders computes it (Schueler, Normal Mapping Without
  * Precomputed Tangents, ShaderX 5, 2006). The shader uses derivatives along the screen axes; this function uses derivatives along two edges
- * of the triangle instead. Green points towards smaller v, because `GLTFLoader` flips `normalScale.y` for meshes without tangents.
+ * of the triangle instead. The bitangent points towards smaller v, because `GLTFLoader` flips `normalScale.y` for meshes without tangents.
  */
 function derivativeFrame(mesh: BakeMesh): FrameReader {
   const [u, v] = [new Float64Array(6), new Float64Array(6)]
@@ -138,7 +138,7 @@ function scaleEdges(
   const uv = (i: number, k: number) => uvs[2 * (corner + i) + k] - uvs[2 * corner + k]
   const faceNormal = new Float64Array(3)
   triangleNormal(faceNormal, positions, corner, corner + 1, corner + 2)
-  // The edges must be counterclockwise as seen from the front, like the screen axes that they replace.
+  // Seen from the side of the normals, the turn from the first to the second edge must be counterclockwise, as it is for the screen axes.
   const side = dot(faceNormal, normals.subarray(3 * corner, 3 * corner + 3)) < 0 ? -1 : 1
   for (let k = 0; k < 3; k++) {
     const [edge1, edge2] = [position(1, k), position(2, k)]

@@ -111,7 +111,7 @@ function texelSizesOf({ surface, locator, metric }: FurrowCanvas): Float64Array 
   return sizes
 }
 
-/** Returns the number of texels between two UV points. It is clamped to `width + height`, because a triangle can span several texture repeats. */
+/** Returns the number of texels between two UV points, at most `width + height`. Across texture repeats, texels would count several times. */
 function texelsBetween(from: readonly number[], to: readonly number[], { width, height }: Metric): number {
   return Math.min(length2((to[0] - from[0]) * width, (to[1] - from[1]) * height), width + height)
 }
@@ -169,7 +169,8 @@ class FurrowPen {
       if (third < second) [second, third] = [third, second]
       if (second < nearest) [nearest, second] = [second, nearest]
     }
-    // The distances of a seed to the centre and to any position in the box differ by at most half the diagonal (triangle inequality).
+    // A seed's distances to the centre and to a position in the box differ by at most half the diagonal, because its metric lengthens nothing.
+    // So the three seeds nearest to a position are at most `third` plus the whole diagonal from the centre.
     const farthest = third + Math.sqrt(square)
     const near = [...distances.keys()].filter((n) => distances[n] <= farthest)
     near.sort((a, b) => distances[a] - distances[b])
@@ -232,7 +233,8 @@ class FurrowPen {
     const tile = this.#tile
     const [dx, dy, dz] = [tile[b + 1] - tile[a + 1], tile[b + 2] - tile[a + 2], tile[b + 3] - tile[a + 3]]
     const square = dx * dx + dy * dy + dz * dz
-    // Squared distance between both seeds, measured with the metric of one seed. It is smaller along wrinkle lines than across them.
+    // Squared distance between both seeds, measured with the metric of one seed. It is smaller along wrinkle lines than across them. The
+    // division removes the seed's random factor from its metric.
     const across = (seed: number) => squareBy(tile, seed + 4, dx, dy, dz) / tile[seed + SCALE] ** 2
     const along = 2 * square - across(a) - across(b)
     const random = hash32(tile[a + HASH] ^ tile[b + HASH]) / 2 ** 32

@@ -38,7 +38,10 @@ export class LocalCells {
     this.largest = Math.max(...sizes)
   }
 
-  /** Sets `size` and `depth` to weighted means over the regions that contain a position. A region's weight falls to 0 at its radius. */
+  /**
+   * Sets `size` and `depth` to weighted means over the regions that contain a position. A region's weight falls to 0 at its radius. Where the
+   * sum of weights is below `FULL`, the depth is reduced. Outside all regions, `size` is the largest size and `depth` is 0.
+   */
   find(x: number, y: number, z: number): void {
     const regions = this.#regions
     if (!regions) return

@@ -20,7 +20,7 @@ export interface Furrows {
 export interface FurrowRegion {
   /** Centre on the skin: [u, v], both 0..1, v = 0 at the top. */
   at: Uv
-  /** Radius in millimetres, 1..1000. Furrows fade out from the centre to this distance. */
+  /** Radius in millimetres, 1..1000. Furrows have their full depth up to about half this distance from the centre and fade out beyond. */
   radius: number
   /** Replaces `Furrows.size` in the region. */
   size: number

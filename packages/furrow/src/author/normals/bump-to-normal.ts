@@ -31,9 +31,9 @@ export interface BumpOptions {
 export const BUMP_DEFAULTS = { edges: 'clamp', green: 'up', bits: 8 } as const satisfies BumpOptions
 
 /**
- * Converts a bump map with square texels to a normal map. Normals are `normalize(-dh/dx, -dh/dy, 1)` (do Carmo, Differential Geometry of
- * Curves and Surfaces, 2.5), with the slopes dh/dx and dh/dy from `slopeAt`. Rounding changes the direction of a normal by at most 0.32
- * degrees with 8 bits, and 0.0012 degrees with 16 bits.
+ * Converts a bump map with square texels to a normal map. With green up, y is upwards; with green down, y is downwards. Normals are
+ * `normalize(-dh/dx, -dh/dy, 1)` (do Carmo, Differential Geometry of Curves and Surfaces, 2.5), with slopes from `slopeAt`. Rounding changes
+ * the direction of a normal by at most 0.32 degrees with 8 bits, and 0.0012 degrees with 16 bits.
  *
  * @param progress called periodically with the number of finished rows and their total number.
  * @throws FurrowError if the data does not match its size.

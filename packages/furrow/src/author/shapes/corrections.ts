@@ -94,7 +94,8 @@ export function hintOfTarget({ name, expression, correction }: NamedTarget): Nam
 
 /**
  * Returns the names by which drivers (functions of blendshape weights) find targets. A corrected target has the ARKit name of its correction.
- * If another target already has this name, the other target gets a placeholder name, so that only the corrected target is found.
+ * Other targets that already have this name get a placeholder name, so that only the corrected target is found. Targets corrected to no
+ * ARKit shape also get a placeholder name.
  */
 export function correctedNames(targets: readonly NamedTarget[]): string[] {
   const corrected = new Set(targets.map(({ correction }) => correction))

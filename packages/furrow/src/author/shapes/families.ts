@@ -51,7 +51,7 @@ export const SPLIT: readonly string[] = ['browInnerUp', 'cheekPuff', 'mouthPucke
 /** Shapes that move jaw or mouth to the left; ARKit also has their mirror images. `Left` is a direction here, not a side of the face. */
 export const SHIFTED = ['jawLeft', 'mouthLeft'] as const
 
-/** All accepted shape names: ARKit's names, families in `SIDED` without a side, and families in `SPLIT` with a side. */
+/** Shape names to choose from: ARKit's names, families in `SIDED` without a side, and families in `SPLIT` with a side. */
 export const SHAPE_NAMES: readonly string[] = [
   ...SIDED.flatMap((name) => [name, ...halvesOf(name)]),
   ...CENTRAL.flatMap((name) => (SPLIT.includes(name) ? [name, ...halvesOf(name)] : [name])),
@@ -68,7 +68,7 @@ export function arkitName({ family, side }: ShapeLabel): string {
   return side === 'both' ? family : family + (side === 'left' ? 'Left' : 'Right')
 }
 
-/** Parses a name in `SHAPE_NAMES`; returns undefined for other names. */
+/** Parses a name in `SHAPE_NAMES`, or any family in `CENTRAL` with a side, such as `jawOpenLeft`. Returns undefined for other names. */
 export function labelOf(name: string): ShapeLabel | undefined {
   if (isOneOf(CENTRAL, name) || isOneOf(SIDED, name) || name === 'tongueOut')
     return { family: name, side: 'both' }

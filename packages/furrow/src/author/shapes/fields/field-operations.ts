@@ -69,7 +69,10 @@ function normalizeAll(values: Float64Array): void {
   for (let i = 0; i < values.length; i++) values[i] /= length
 }
 
-/** Returns the fraction of a field's energy (its weighted squared displacements) on the person's left. */
+/**
+ * Returns the fraction of a field's energy (its weighted squared displacements) on the person's left. A strip along the middle of the face
+ * does not count. Returns 0.5 if there is no energy on either side.
+ */
 export function leftFraction(field: Float64Array, weights: Float64Array): number {
   let [left, right] = [0, 0]
   for (let i = 0; i < SAMPLES; i++) {

@@ -18,7 +18,7 @@ export const GRID: readonly GridPoint[] = Array.from({ length: COLUMNS * ROWS },
 
 /**
  * Rows along the lids. `side` is 1 for the left eye, -1 for the right eye. `lid` is 1 for rows above the edge of the upper lid, -1 for rows
- * below the edge of the lower lid. `distance` is the distance from this edge.
+ * below the edge of the lower lid. `distance` is the distance from this edge along v.
  */
 export const LID_ROWS = [1, -1].flatMap((side) =>
   [1, -1].flatMap((lid) => [0.05, 0.25, 0.5].map((distance) => ({ side, lid, distance }))),
@@ -28,7 +28,10 @@ export const LID_SAMPLES = [0, 2, 4, 6, 8, 10, 12, 14, 16]
 /** Distance of the outermost samples from the middle of the eye, as a fraction of half the eye's width. */
 export const LID_REACH = 0.94
 
-/** Rows along the lips. `lip` is 1 for rows above the line between the lips, -1 for rows below it. `distance` is the distance from the line. */
+/**
+ * Rows along the lips. `lip` is 1 for rows above the line between the lips, -1 for rows below it. `distance` is the distance from the line
+ * along v.
+ */
 export const LIP_ROWS = [1, -1].flatMap((lip) => [0.1, 0.3].map((distance) => ({ lip, distance })))
 export const LIP_SAMPLES = 17
 

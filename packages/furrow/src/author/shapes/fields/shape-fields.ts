@@ -19,7 +19,7 @@ export interface ShapeField {
   target: number
   /** Displacement at each sample: u, v and depth in coordinates of `FaceFrame`. */
   field: Float64Array
-  /** Maximum displacement, in units of half the distance between the eyes. */
+  /** Largest displacement near the face, in face coordinates. It is the 99.9th percentile, to ignore outliers. */
   strength: number
   /** Whether the target closes the lids of the left and the right eye. */
   closes: readonly [left: boolean, right: boolean]
@@ -95,7 +95,10 @@ function heightsOf({ upper, lower }: EyeOpening): [bottom: number, top: number] 
   return [Math.min(...lower), Math.max(...upper)]
 }
 
-/** Returns the blends of the grid points. The face is warped so that its eyes have the size of a typical face's eyes. */
+/**
+ * Returns the blends of the grid points. The face is warped so that its eyes are centred at u = -1 and u = 1, and their openings reach from
+ * `OPENING[0]` to `OPENING[1]`.
+ */
 function gridBlends(at: Float64Array, visible: readonly number[], opening: EyeOpening): Blend[] {
   const [bottom, top] = heightsOf(opening)
   const from = [-5, -2, bottom, top, top + 4]

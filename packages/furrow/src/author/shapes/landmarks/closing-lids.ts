@@ -34,10 +34,13 @@ const RATIO = 4
 const MOVED = 0.25
 /** Maximum fraction of the points that a target moves when it closes lids. */
 const MAX_MOVED = 0.5
-/** A target is ignored if it shrinks the extent of the moved points below this fraction. Such a target hides a part, such as spare eyes. */
+/**
+ * A target is ignored if it shrinks the points that it moves on either side of the face below this fraction of their extent. Such a target
+ * hides a part of the mesh, such as a second set of eyes.
+ */
 const SHRUNK = 0.5
 const NEIGHBOURS = 8
-/** Minimum number of pairs per eye. */
+/** Minimum number of pairs per target, counting both eyes. */
 const MIN_PAIRS = 8
 
 /** Finds pairs of skin points that a target brings together. */

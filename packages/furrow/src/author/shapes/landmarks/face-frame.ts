@@ -37,7 +37,7 @@ const MIN_EYE_HEIGHT = 0.3
 /**
  * Finds the face coordinates of a surface from the motion of its targets (blendshapes). Neither names nor an up axis are needed.
  *
- * @returns undefined if no target closes lids and none parts lips.
+ * @returns undefined if the moving region has under 50 points, or if no target closes lids and the lips do not part or move alike.
  */
 export function faceFrame(surface: MovingSurface): FaceFrame | undefined {
   const region = movingRegion(surface)
@@ -97,7 +97,7 @@ function belowEyes({ centre }: MovingRegion, eyes: Vector, up: Vector, half: num
   return plus(eyes, up, -sign * EYE_HEIGHT * half)
 }
 
-/** Minimum ratio between the motions of the lower and the upper lip. */
+/** Minimum ratio of the lower lip's motion to the upper lip's motion. At smaller ratios, the direction up is unknown. */
 const LOWER_LIP = 1.1
 
 /** Finds the direction from the lower lip, which targets move more, to the upper lip. Returns undefined if targets move both lips alike. */

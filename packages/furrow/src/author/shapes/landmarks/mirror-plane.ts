@@ -25,7 +25,10 @@ const REFINED = 3
 const ITERATIONS = 20
 /** Maximum cosine between the normals of two planes that are refined. */
 const MAX_COSINE = 0.97
-/** Maximum distance, in radii of the moving region. Larger distances are clamped, because hair or other parts may have no mirror image. */
+/**
+ * Maximum distance from a mirrored point to the surface, in radii of the moving region. Larger distances are clamped, because hair or other
+ * parts may have no mirror image.
+ */
 const MAX_DISTANCE = 0.15
 
 /** Finds the plane across which a head is most symmetric, by iterative closest points (Besl and McKay 1992). */
