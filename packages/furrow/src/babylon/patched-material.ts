@@ -35,7 +35,7 @@ export function patchMaterial(
       who: 'Wrinkles',
       problem: `material "${material.name}" already shows another wrinkle set`,
       limit: 'one set per material',
-      remedy: 'clone the material, or pass the wrinkles that it shows to `new Wrinkles`',
+      remedy: 'clone the material, or pass its current wrinkles to `new Wrinkles`',
     })
   }
   const patch = patches.get(material) ?? apply(material, plugin, shared)

@@ -14,7 +14,7 @@ export const BLOOD_ABSORPTION = [0.35, 1, 0.89] as const
 /** Byte of a blood map where blood does not change. Higher bytes redden the skin, lower bytes make it paler. 255 and 1 have full amplitude. */
 export const BLOOD_AT_REST = 128
 
-/** Maximum amplitude of a blood map, as the optical depth for green light. At 2, blood absorbs all but 13% of the green light. */
+/** Maximum amplitude of a blood map, as the optical depth for green light. At 2, blood absorbs all but 14% of the green light. */
 export const MAX_BLOOD_AMPLITUDE = 2
 
 /** Largest difference from `BLOOD_AT_REST`, in byte steps, that counts as no change. Texture filtering has rounding errors. */

@@ -60,7 +60,7 @@ export function resampleGray(image: GrayImage, size: number): GrayImage {
 
 /**
  * Resamples the rows of an image to `size` texels and transposes the result. A second call resamples the columns and transposes back.
- * The filter radius is at least one source texel. Edges are clamped.
+ * The filter radius is at least one source texel. Near the borders, the average is over the texels inside the image.
  */
 function resampleTransposed(
   data: ArrayLike<number>,

@@ -63,7 +63,10 @@ function areasOfGroups(strokes: readonly Stroke[]): AreaDefinition[] {
   }))
 }
 
-/** Returns the default shape around the strokes of a group. A wide bulge enlarges the radius, so that the weight is 1 up to half a width from the crest. */
+/**
+ * Returns the default shape around the strokes of a group. A wide bulge enlarges the radius, so that the weight is 1 up to half a width from
+ * the crest.
+ */
 export function groupShape(group: string, strokes: readonly Stroke[]): GroupShape {
   const { radius, feather } = GROUP_SHAPE
   const radii = strokes.filter(isBulge).map(({ width }) => (width + feather) / 2)

@@ -1,6 +1,6 @@
 /**
- * Shader that draws the influence maps of many faces into the cells of an atlas. For each texel, it sums `weight * activation` over the
- * active areas of the face.
+ * Shader that draws the influence maps of many faces into the cells of an atlas. For each texel and layer, it combines `weight * activation`
+ * of the face's active areas by `sum` or `max`.
  *
  * The texture `furrowTable` contains the parameters. Row 0 has two texels per area. The first texel contains the bounds of the area. The second
  * texel contains the slice of the area, and the index of its layer (plus 4 if the area combines by `max`). Each other row belongs to one cell.

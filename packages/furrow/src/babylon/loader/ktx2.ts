@@ -31,7 +31,7 @@ export async function loadKtx2(
   if (!bytes) {
     throw new FurrowError({
       who,
-      problem: 'a slice of an image that is not KTX 2',
+      problem: 'the map is a slice of an image that is not KTX 2',
       limit: 'a texture with KHR_texture_basisu',
       remedy: 'pack the file again',
     })

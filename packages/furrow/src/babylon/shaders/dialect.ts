@@ -1,6 +1,7 @@
 /**
  * Generates statements and declarations in GLSL ES 3.0 or WGSL, so that one generator writes shaders in both languages. Expressions are
- * the same in both languages if they take type names from the dialect. Code must not assign to single components of a vector.
+ * the same in both languages if they take type names from the dialect. Code must not assign to swizzles such as `v.xy`, because not all
+ * browsers allow this in WGSL.
  */
 export interface Dialect {
   readonly isWgsl: boolean

@@ -103,7 +103,7 @@ function sampledMaps(d: Dialect, kind: 'normal' | ValueKind): string {
  * in 0..1. If all influences are 0, the result is exactly `stored`.
  *
  * Materials read their normal map first, so this function runs before the functions of other maps. It prepares data for these functions:
- * it samples the layers' other maps, and delays `furrowInfluence` by the onset maps.
+ * it samples the layers' other maps, and applies the onset maps to `furrowInfluence`.
  */
 function normalMixing(
   d: Dialect,
@@ -147,7 +147,7 @@ function normalMixing(
   ${d.local(float, 'kept', '1.0 - along / (normal.z + size)')}
   normal = ${vec3}(normal.xy * kept + slope * size, normal.z - along);
 #ifdef DETAIL
-  // If DETAIL is defined, Babylon.js adds a detail map to this normal, and needs a normal of the original length. Otherwise it normalises.
+  // Babylon.js blends a detail map with this normal, and the result depends on the length. So restore the length of the original normal.
   normal = normal * (size / length(normal));
 #endif`
   const body = `
@@ -205,7 +205,7 @@ function onsetInfluence(d: Dialect): string {
   return d.declare(float, 'furrowOnsetInfluence', parameters, body)
 }
 
-/** Returns a statement that delays `furrowInfluence` by the onset maps. Layers without an onset map keep their influence. */
+/** Returns a statement that applies the onset maps to `furrowInfluence`. Layers without an onset map keep their influence. */
 function applyOnset(d: Dialect, layers: number, { slices, channel, sampler }: ValueLayers): string {
   const strengths = d.uniform('furrowOnsetStrength')
   const influences = CHANNELS.map((letter, layer) => {

@@ -6,7 +6,7 @@ import type { Stroke } from '../document.ts'
 import { splineOf } from './spline-of.ts'
 import { clamped, knotsOf, traceStroke, uvOf } from './traced-stroke.ts'
 
-/** Step length in millimetres with which `smoothStroke` moves a point: `walk` can cross only a few triangles per call. */
+/** Maximum step length in millimetres with which `smoothStroke` moves a point: `walk` can cross only a few triangles per call. */
 const STEP = 0.5
 
 /**
