@@ -165,12 +165,12 @@ describe('slices', () => {
     [
       'an image among slices',
       (_, maps) => delete maps.layers[0].normalTexture.slice,
-      /layers\[0\]\.normalTexture is in another texture array/,
+      /layers\[0\]\.normalTexture is not in the texture array of layers\[1\]\.normalTexture/,
     ],
     [
       'two arrays for one kind of map',
       (_, maps) => (maps.areas[2].texture.index = maps.layers[0].normalTexture.index),
-      /areas\[2\]\.texture is in another texture array/,
+      /areas\[2\]\.texture is not in the texture array of areas\[0\]\.texture/,
     ],
     [
       'an array that serves as an image too',

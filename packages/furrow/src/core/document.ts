@@ -78,7 +78,7 @@ const MAX_URL_LENGTH = 2048
  * Reads and checks `wrinkles.json`, except its drivers and shapes.
  *
  * @param json result of `JSON.parse`.
- * @param convention convention of areas without the field `convention`.
+ * @param convention meaning of gray in the images of areas that lack the field `convention`.
  * @throws FurrowError naming the first field that is missing, has the wrong type or is out of range.
  */
 export function readSetDocument(

@@ -32,7 +32,7 @@ export function packGrays(images: readonly GrayImage[], who = 'packGrays'): Imag
 /**
  * Resamples the weights of areas of influence to squares of one size, and packs them into one single-channel array.
  *
- * @param weights 1 to 256 gray images of any size, 255 = fully visible; copied.
+ * @param weights 1 to 256 gray images of any size, 255 = wrinkles fully visible; copied.
  * @param size width and height of the squares in texels; default 128.
  * @param who name of the caller in errors.
  * @throws FurrowError if the number of images is out of range, or if an image is malformed.

@@ -82,13 +82,13 @@ export type Combine = 'sum' | 'max'
  */
 export interface Area<Slice = never> {
   name: string
-  /** Weights, 255 = fully visible; any size, resampled when packed. */
+  /** Weights, 255 = wrinkles fully visible; any size, resampled when packed. */
   weights: GrayImage | Slice
   /** Name of the layer; default: the first layer. */
   layer?: string
   /** Default `sum`. */
   combine?: Combine
-  /** Resting activation, 0..1; default 0. */
+  /** Resting activation, 0..1, to which drivers add; default 0. */
   activation?: number
 }
 

@@ -21,7 +21,7 @@ export type Input =
       kind: 'tension'
       area: string
       measure: 'compression' | 'stretch'
-      /** Direction of measurement in texture coordinates. Default: principal direction of the strain. */
+      /** Direction of measurement in texture coordinates. By default, each triangle is measured along its strongest compression or stretch. */
       direction?: readonly [number, number]
     }
   /** Number that the application sets. `initial` is its initial value, default 0. */

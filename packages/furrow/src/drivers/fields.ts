@@ -131,7 +131,7 @@ export class Fields {
     )
   }
 
-  /** Reads the fields `inner` and `outer` of a muscle. `outer` must be larger than `inner`. */
+  /** Reads the fields `inner` and `outer` of a muscle, see `MuscleDriver`. `outer` must be larger than `inner`. */
   zone(): { inner: number; outer: number } {
     const [inner, outer] = [this.number('inner', 0, 10, 0.8), this.number('outer', 0.001, 10, 1.2)]
     if (outer > inner) return { inner, outer }

@@ -45,7 +45,7 @@ export function parseWrinkleMaps(
  *
  * @param json result of `JSON.parse`.
  * @param who name of the file in errors.
- * @param convention convention of areas without the field `convention`.
+ * @param convention meaning of gray in the images of areas that lack the field `convention`.
  * @throws FurrowError naming the first field that is missing, has the wrong type or is out of range.
  */
 export function parseWrinkleSetDocument(

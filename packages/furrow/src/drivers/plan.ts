@@ -17,7 +17,7 @@ export interface PlannedFilter {
 export interface DriverPlan {
   /** All drivers, in their original order. */
   readonly drivers: readonly WrinkleDriver[]
-  /** Names of all areas that a driver reads or activates. */
+  /** Names of all areas that a driver reads, activates or filters. */
   readonly areaNames: readonly string[]
   /**
    * Names of areas that are driven by motion: by blendshapes, joints, tension or other areas. If the application sets the activation of a

@@ -30,17 +30,17 @@ export interface DriverState {
   readonly values: Float64Array
   /** Values by kind of input, as views of `values`. The caller writes them before each call of `evaluate`. */
   readonly inputs: Readonly<Record<ExternalInputKind, Float64Array>>
-  /** Resting activations, 0..1, of the plan's areas. The caller writes them, and drivers add to them. */
+  /** Resting activations, 0..1, of the plan's areas. The caller writes them. Drivers add to a copy of them. */
   readonly resting: Float32Array
   /** Resulting activations, 0..1, of the plan's areas. */
   readonly activations: Float32Array
-  /** Resulting activations of the previous frame. */
+  /** Filtered activations of the previous frame. Not updated for areas without an activation filter. */
   readonly previous: Float64Array
   /** One number: seconds since the previous frame. The caller writes it. */
   readonly seconds: Float64Array
   /** Whether a previous frame exists. */
   hasRun: boolean
-  /** Whether delays have ended, so that the same inputs result in the same activations in the next frame. */
+  /** Whether activation filters have settled, so that the same inputs result in the same activations in the next frame. */
   isSettled: boolean
 }
 

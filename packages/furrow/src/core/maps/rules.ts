@@ -8,7 +8,7 @@ export interface TextureShape {
   height: number
   /** Number of slices of a KTX 2 array; 0 for a single KTX 2 image. Undefined for other formats. */
   slices?: number
-  /** Encoding and number of mipmap levels of a KTX 2 image, as text. All textures of one array must have the same layout. */
+  /** Encoding and number of mipmap levels of a KTX 2 image, as text. Maps of one kind must have the same layout. */
   layout?: string
 }
 
@@ -41,7 +41,7 @@ export function drawnTextures(maps: MapsAndAreas): number[] {
  * @param shapeOf returns the size and format of a texture that `drawnTextures` lists.
  * @param faceTextures textures that the file uses outside the extension; see `texturesOfFace`.
  * @param who name of the file or material in errors.
- * @returns one problem per broken rule; loaders report only the first problem.
+ * @returns all problems. Several textures can break the same rule. Loaders report only the first problem.
  */
 export function mapProblems(
   maps: MapsAndAreas,

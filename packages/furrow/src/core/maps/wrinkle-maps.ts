@@ -34,14 +34,14 @@ export interface WrinkleMapsLayer {
 /** An area of influence in the extension's JSON, with defaults filled in. */
 export interface WrinkleMapsArea {
   name: string
-  /** Index of the layer. */
+  /** Index of the layer whose wrinkles the area shows. */
   layer: number
-  /** Weights, linear, 1 = fully visible. */
+  /** Weights, linear, 1 = wrinkles fully visible. */
   texture: TextureReference
   /** Channel that stores the weights, 0 = R to 3 = A. */
   channel: number
   combine: Combine
-  /** Resting activation, 0..1. */
+  /** Resting activation, 0..1, to which drivers add. */
   activation: number
 }
 
@@ -224,14 +224,24 @@ function checkSlices(reader: JsonReader, layers: WrinkleMapsLayer[], areas: Wrin
     const array = found.find(({ slice }) => slice !== undefined)
     for (const { index, slice, at } of found) {
       if ((slice !== undefined) !== (array !== undefined) || (array && index !== array.index)) {
-        const limit = `slices of texture ${array!.index}, like ${array!.at}, or no slices`
-        reader.fail(`${at} is in another texture array`, index, limit, 'pack maps of one kind into one array')
+        const problem = `${at} is not in the texture array of ${array!.at}`
+        reader.fail(
+          problem,
+          index,
+          `a slice of texture ${array!.index}`,
+          'pack maps of one kind into one array',
+        )
       }
       ;(slice === undefined ? images : arrays).set(index, at)
     }
   }
   for (const [index, at] of arrays) {
     if (!images.has(index)) continue
-    reader.fail(`${images.get(index)} has no slice`, index, `a slice, as ${at}`, 'add `slice`')
+    reader.fail(
+      `${images.get(index)} has no slice`,
+      index,
+      `a slice index, because ${at} has one`,
+      'add `slice`',
+    )
   }
 }

@@ -14,7 +14,10 @@ export interface MuscleDriver {
   name: string
   /** Name of the activated area. Without an area, the muscle only moves the skin. */
   area?: string
-  /** Shape of the zone. `linear`: cone with its tip at the origin. `sheet`: parallel fibres. `sphincter`: ellipse around the origin. */
+  /**
+   * Shape of the zone. `linear`: cone with its tip at the origin. `sheet`: cylinder of parallel fibres that starts at the origin.
+   * `sphincter`: ellipsoid around the origin.
+   */
   kind: 'linear' | 'sheet' | 'sphincter'
   /** Attachment of the muscle to the bone, or centre of a sphincter. */
   origin: [number, number, number]
@@ -24,9 +27,12 @@ export interface MuscleDriver {
   angle: number
   /** Half the width of a sheet, or length of the second semi-axis of a sphincter, in metres. */
   width: number
-  /** Distance from the origin at which the pull is strongest, as a fraction of the muscle's length (from origin to insertion). */
+  /**
+   * Distance from the origin at which the pull is strongest, as a fraction of the muscle's length (from origin to insertion). In a sheet,
+   * distances are measured along the fibres. In a sphincter, they are relative to the semi-axes, and the pull is constant up to `inner`.
+   */
   inner: number
-  /** Distance from the origin at which the pull ends, as a fraction of the muscle's length. Larger than `inner`. */
+  /** Distance from the origin at which the pull ends, measured like `inner`. Larger than `inner`. */
   outer: number
   /**
    * Pull at full contraction, -1..1. Skin moves towards the origin by this fraction of its distance from the origin. In a sheet, skin moves
