@@ -5,7 +5,7 @@ import { clamp } from '../math/scalar.ts'
 import { copyNearest } from './border.ts'
 import { coverTexels } from './cover-texels.ts'
 
-/** Mesh to measure. Its arrays are neither changed nor kept. */
+/** Mesh to measure. Its arrays are not changed, and only `skinCanvas` keeps some of them. */
 export interface MetricMesh {
   /** Packed xyz per vertex, in metres unless a function says otherwise. */
   positions: ArrayLike<number>

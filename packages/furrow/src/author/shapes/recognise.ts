@@ -60,7 +60,7 @@ export interface RecognisedFace {
 /**
  * Recognises the blendshapes of a face by their motion and their names. Corrections by the user overrule both. The result is deterministic.
  *
- * @param heads reference heads. The motions are compared with their shapes. Default: the built-in heads.
+ * @param heads reference heads, whose ARKit shapes are compared with the blendshapes. Default: the built-in heads.
  */
 export function recogniseShapes(
   skin: Skin,
@@ -119,7 +119,7 @@ function decide(hint: NameHint | undefined, byMotion: MotionMatch | undefined): 
   if (!hint)
     return byMotion && byMotion.confidence >= UNSURE ? byGeometry(byMotion, false) : unknown(undefined)
   const named = namedLabel(hint)
-  // The name means several ARKit shapes or none, for example a viseme, an emotion, a proportion or a corrective.
+  // The name means no single ARKit shape, for example a viseme, an emotion, a proportion or a corrective.
   if (!named) return { ...unknown(hint), by: 'name' }
   const name = arkitName(named)
   if (!byMotion) return { shape: name, confidence: BY_NAME, by: 'name', hint, isMisnamed: false }
@@ -143,7 +143,7 @@ function unknown(hint: NameHint | undefined): Decision {
   return { shape: undefined, confidence: 0, by: 'none', hint, isMisnamed: false }
 }
 
-/** Returns the ARKit shape that a name means; undefined if the name means several shapes or none. */
+/** Returns the ARKit shape that a name means; undefined if the name means several shapes or none, or is only similar to a shape (`like`). */
 function namedLabel({ match, shapes, side }: NameHint): ShapeLabel | undefined {
   if (match === 'like') return undefined
   if (match === 'part') {
@@ -167,7 +167,7 @@ function byGeometry({ label, confidence }: MotionMatch, isMisnamed: boolean): De
   }
 }
 
-/** Returns the hint that `hintOf` would return for the label's ARKit name. */
+/** Returns the hint that `hintOf` would return for the label's ARKit name, but with a rank that falls as the confidence rises. */
 function hintOfLabel(label: ShapeLabel, confidence: number): NameHint {
   const hint = {
     kind: 'expression',

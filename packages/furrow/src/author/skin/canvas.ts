@@ -19,11 +19,12 @@ export interface SkinCanvas {
 
 /**
  * Prepares a mesh for drawing. Vertices with equal positions are merged, so that lines can cross UV seams. If the left and right halves of
- * the mesh share texels, only the left half (x > 0) is drawn.
+ * the mesh share texels, only the left half (x > 0) is drawn. The canvas keeps the arrays `uvs` and `indices` of the mesh.
  *
  * @param width map width in texels; also the default height.
  * @param scale millimetres per unit of the mesh's positions.
- * @throws FurrowError if the mesh is inconsistent, covers no texel, or has hundreds of overlapping triangles in UV space.
+ * @throws FurrowError if the mesh is inconsistent or covers no texel, or if the UV bounding boxes of its triangles have more than 128 times
+ *   the texture's area in total.
  */
 export function skinCanvas(
   mesh: MetricMesh,

@@ -2,7 +2,10 @@ import { triangleNormal } from '../../math/triangle.ts'
 import { length, normalize } from '../../math/vector.ts'
 import { weldVertices } from '../../math/weld.ts'
 
-/** Mesh of the skin in the rest pose, and its blendshapes. Functions that take a `Skin` neither change nor keep its arrays. */
+/**
+ * Mesh of the skin in the rest pose, and its blendshapes. Functions that take a `Skin` do not change its arrays. Public
+ * functions (`furrow/author`) also do not keep these arrays.
+ */
 export interface Skin {
   /** Packed xyz per vertex, y up, in metres. If `autoWrinkles` finds the eyes, any unit works, because it scales the skin by their distance. */
   positions: ArrayLike<number>

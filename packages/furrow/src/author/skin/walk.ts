@@ -16,7 +16,7 @@ const [here, there, target] = [new Float64Array(3), new Float64Array(3), new Flo
  *
  * @param start triangle that contains the position.
  * @param position changed in place.
- * @param distance distance to move, in the unit of the surface. It may span a few triangles at most.
+ * @param distance distance to move, in the unit of the surface. The walk stops early when it has crossed `MAX_CROSSED` triangles.
  * @returns the final triangle, or -1 at the surface's border.
  */
 export function walk(

@@ -37,7 +37,7 @@ const MIN_EYE_HEIGHT = 0.3
 /**
  * Finds the face coordinates of a surface from the motion of its targets (blendshapes). Neither names nor an up axis are needed.
  *
- * @returns undefined if the moving region has under 50 points, or if no target closes lids and the lips do not part or move alike.
+ * @returns undefined if the moving region has under 50 points, or if no target closes lids and the lips move alike or do not part.
  */
 export function faceFrame(surface: MovingSurface): FaceFrame | undefined {
   const region = movingRegion(surface)

@@ -55,7 +55,7 @@ export function lipLine(frame: FaceFrame): LipLine {
   return { halfWidth, heights: ALONG.map((a) => interpolated(Math.abs(a) * halfWidth, xs, ys)) }
 }
 
-/** Models an eye opening as an ellipse around the points at which lids meet. */
+/** Models an eye opening as an ellipse around points on the edges of the lids. Targets that close the eye bring these points together. */
 export function eyeOpening(frame: FaceFrame): EyeOpening {
   const lids = frame.closing
     .map(({ first, second }) => [first, second].map((end) => positionInFrame(frame, end)))

@@ -8,7 +8,7 @@ const SWEEPS = 200
 const EXPLAINED = 0.006
 /** After subtracting other shapes with labels of the same family, at least this fraction of a composite's squared motion remains. */
 const MIXED = 0.0003
-/** Minimum ratio of the remainder described at `MIXED` to the remainder described at `EXPLAINED`. */
+/** Minimum ratio of the remainder after subtracting the same family (`MIXED`) to the remainder after subtracting all shapes (`EXPLAINED`). */
 const GAIN = 4
 
 /**

@@ -36,7 +36,10 @@ export function confidencesOf(
   })
 }
 
-/** Returns the doubt about the landmarks. The mouth is guessed if no target opens the lips. The eyes are guessed if no target closes lids. */
+/**
+ * Returns the doubt about the landmarks, 0..5. It is subtracted from the logit of the confidence. The mouth is guessed if no target opens the
+ * lips. The eyes are guessed if no target closes lids.
+ */
 function doubtOf({ hasLids, seam, scales }: FaceFrame): number {
   if (!seam) return 5
   if (!hasLids) return 3

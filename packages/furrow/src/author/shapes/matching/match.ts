@@ -26,7 +26,8 @@ export interface Match {
   margin: number
   /**
    * Cosine between the shape's motion and the motion that other shapes predict for the label. For example, the left and the right smile
-   * predict the smile on both sides. Without a prediction, this is the cosine to the motion of the label's owner (see `matchShapes`).
+   * predict the smile on both sides. Without a prediction, this is the cosine to the motion of the label's owner (see `matchShapes`), or 0 if
+   * there is no owner. For the owner itself, this is the minimum cosine to its rivals for the label, or 1 if it has no rivals.
    */
   kinship: number
 }
@@ -37,7 +38,7 @@ interface LabelOwner {
   score: number
 }
 
-/** Minimum displacement of a shape that gets a label, in units of half the distance between the eyes. */
+/** A shape gets a label only if its strength (see `ShapeField`) exceeds this. */
 const WEAK = 0.01
 /** Minimum cosine between the motions of two shapes that differ only in strength. */
 export const SAME = 0.975
@@ -51,7 +52,7 @@ const MIN_SCORE = 0.3
 export const FOUND = 0.45
 /** Penalty if shape and template differ in strength: factor on the absolute natural logarithm of the ratio of their strengths. */
 const STRENGTH = 0.04
-/** Two labels whose templates are at most this similar are distinct: the difference of their scores counts fully. */
+/** Two labels whose templates are at most this similar are distinct: the difference of their scores counts fully in a margin. */
 const DISTINCT = 0.5
 
 export interface Scores {
@@ -217,8 +218,8 @@ export function matchShapes(
 
 /**
  * Predicts the motion of a shape with the given label from shapes of the same family for other sides. For both sides, the prediction is the
- * sum of the left and the right shape. For one side, it is this side's half of the shape for both sides. The shape for both sides is used only
- * if its score is higher than the score of the label's owner.
+ * sum of the left and the right shape. For one side of a family in `CENTRAL`, the prediction is this side's half of the shape for both sides.
+ * The shape for both sides is used only if its score is higher than the score of the label's owner.
  */
 function otherSides(
   { family, side }: ShapeLabel,

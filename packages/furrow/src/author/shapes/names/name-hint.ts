@@ -24,6 +24,6 @@ export interface NameHint {
   match: 'same' | 'part' | 'like'
   /** Side that the name contains. */
   side: 'Left' | 'Right' | undefined
-  /** Rank among blendshapes that match the same shape: 0 is the most similar one. */
+  /** Rank among blendshapes that match the same shape, 0 or more. Lower ranks are more similar. */
   rank: number
 }

@@ -75,7 +75,10 @@ export function templateHead({ weights, shapes }: ShapeFields, names: readonly s
   )
 }
 
-/** Returns templates of a head for all shapes on the left side, the right side and both sides. */
+/**
+ * Returns the templates of a head. Families in `SIDED` and `SPLIT` have templates for the left side, the right side and both sides. Other
+ * families in `CENTRAL` have one template for both sides. Shapes in `SHIFTED` also have mirror images.
+ */
 export function templatesOf({ shapes }: TemplateHead): Template[] {
   return shapes.flatMap(({ family, field, strength }): Template[] => {
     const mirrored = mirroredField(field)

@@ -4,9 +4,9 @@ import { insertPoint } from './points.ts'
 import { splitStroke } from './split.ts'
 import type { StrokeLine, StrokeLines } from './stroke-lines.ts'
 
-/** Minimum length in millimetres by which a detached stroke becomes shorter, and its distance from the strokes that it met. */
+/** Minimum length to cut off a stroke, and minimum distance of the new end from the other strokes of the fork, in millimetres. */
 const GAP = 2
-/** Maximum fraction of the length by which a detached stroke becomes shorter. */
+/** Maximum fraction of a stroke's length to cut off, even if the new end is then nearer to the other strokes than `GAP`. */
 const MAX_FRACTION = 0.5
 
 /**

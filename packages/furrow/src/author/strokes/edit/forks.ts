@@ -7,7 +7,7 @@ import { isBulge } from '../lay-out.ts'
 import { FACING } from '../line-segments.ts'
 import type { StrokeLine, StrokeLines } from './stroke-lines.ts'
 
-/** An end of a stroke that is at most this far from another stroke is in a fork, millimetres. */
+/** Maximum distance in millimetres between a stroke's end and another stroke that meet in a fork. */
 export const TOUCH = 0.5
 
 /** Start or end of a stroke. */
@@ -48,7 +48,7 @@ interface Found {
   trunks: Trunk[]
 }
 
-/** Finds the forks of strokes. They are computed from positions alone, so moving an end away from a stroke leaves the fork. */
+/** Finds the forks of strokes. Forks are computed from positions alone, so an end leaves its fork when the end is moved away. */
 export function findForks(strokes: readonly Stroke[], lines: StrokeLines): Fork[] {
   const searched = strokes.flatMap((each, stroke): Searched[] => {
     const line = lines.lineOf(each)
@@ -75,7 +75,7 @@ function canMeet(a: Searched, b: Searched): boolean {
   return a.layer === b.layer && a.isRaised === b.isRaised
 }
 
-/** Returns the end of a line that a place of the line is at most `TOUCH` away from, or undefined. */
+/** Returns the end of a line if a place is at most `TOUCH` away from it, measured along the line. Otherwise, returns undefined. */
 function endAt({ lengths }: StrokeLine, place: number): 0 | 1 | undefined {
   if (lengths[place] <= TOUCH) return 0
   return lengths[lengths.length - 1] - lengths[place] <= TOUCH ? 1 : undefined
@@ -94,7 +94,10 @@ function addContact(
   else if (trunks.every((trunk) => trunk.stroke !== stroke)) trunks.push({ stroke, place })
 }
 
-/** Adds an end, unless the fork has an end of the same stroke. A stroke shorter than `TOUCH` would otherwise collapse to a point. */
+/**
+ * Adds an end, unless the fork has an end of the same stroke. With both ends of a short stroke, moving the fork would collapse the stroke to a
+ * point.
+ */
 function addEnd(ends: StrokeEnd[], end: StrokeEnd): void {
   if (ends.every(({ stroke }) => stroke !== end.stroke)) ends.push(end)
 }
