@@ -23,7 +23,10 @@ export class PatchedMaterial {
   readonly #material: WrinkleMaterial
   readonly #inputs: ShaderInputs
   readonly #renderer: RendererParts
-  /** Flat normal map. Used while the page has set no normal map, because patches need the texture coordinates of a normal map. */
+  /**
+   * Flat normal map. Used while the page has set no normal map, because patches read the texture coordinates of the normal map, and three.js
+   * provides them only for materials with a normal map.
+   */
   readonly #flat: Texture
   /** Patches the material to draw relief, i.e. to displace the surface by height maps; null without relief. */
   #patchRelief: ((material: Material) => () => void) | null = null
@@ -103,7 +106,7 @@ export class PatchedMaterial {
   settle(renderer: AnyRenderer | null): void {
     if (this.mode === 'off') return
     try {
-      // The page may remove or replace the normal map, change other maps, or add faces.
+      // The page may remove, replace or transform the normal map, change other maps, or add faces to the influence atlas.
       const { normalMap } = this.#material
       const isReplaced = !normalMap || (this.#shown?.composed ?? normalMap) !== normalMap
       if (isReplaced || this.#shown?.isCurrent?.() === false) this.#apply(this.mode)

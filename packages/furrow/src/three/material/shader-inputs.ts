@@ -27,7 +27,7 @@ export interface ShaderInputs {
   readonly cell: { value: Vector4 }
   /** Converts texture coordinates to coordinates in the cell, see `AtlasCells.inside`. */
   readonly inside: { value: Vector4 }
-  /** Half the size of a texel, relative to the cell. */
+  /** Half the size of an atlas texel, relative to a cell. Keeps filtered samples inside the cell of an instance. */
   readonly inset: { value: Vector2 }
   /** UV bounds of the active areas: u0, v0, u1, v1. Empty while the wrinkles are faded out. Unbounded for several instances. */
   readonly reach: { value: Vector4 }

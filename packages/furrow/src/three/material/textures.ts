@@ -58,7 +58,7 @@ export function mapTexture(
 export function flatNormalTexture(map: Texture | null): DataTexture {
   const [half, one] = [0.5, 1].map(DataUtils.toHalfFloat)
   const texture = new DataTexture(Uint16Array.of(half, half, one, one), 1, 1, RGBAFormat, HalfFloatType)
-  // A composed normal map copies the wrapping of this map, and must repeat like the maps of the layers.
+  // A composed normal map copies this wrapping. It must repeat, because the other modes wrap the texture coordinates of layers into 0..1.
   texture.wrapS = texture.wrapT = RepeatWrapping
   // On WebGPU, the shader of the composed normal map would read only mip level 0 if this texture were not filtered.
   texture.magFilter = LinearFilter

@@ -22,9 +22,9 @@ export const COARSE_WIDTH = 512
 export interface CoarseParts {
   /**
    * Creates a material for `Points` that writes each deformed vertex, in the mesh's local space, to the same texel of two textures. Texture 0
-   * holds the position (xyz). Its w holds the texel of another vertex at this position (see `ring`). Texture 1 holds the normal (xy) and the tangent (zw) in
-   * octahedral encoding (Z. Cigolle et al., "A Survey of Efficient Representations for Independent Unit Vectors", 2014). Without
-   * the encoding, a third texture would be needed, and some WebGPU devices cannot draw to three float textures at once.
+   * holds the position (xyz), and the texel of the next vertex at the same position (w, see `ring`). Texture 1 holds the normal (xy) and the
+   * tangent (zw) in octahedral encoding (Z. Cigolle et al., "A Survey of Efficient Representations for Independent Unit Vectors", 2014).
+   * Without the encoding, a third texture would be needed, and some WebGPU devices cannot draw to three float textures at once.
    *
    * @param ring texture that maps the texel of each vertex to the texel of the next vertex at the same position.
    * @param first texel of the geometry's first vertex.

@@ -128,7 +128,7 @@ function ringOf(firstOf: Uint32Array): Uint32Array {
   return next
 }
 
-/** Interpolates numbers from the vertices of the mesh to the dense vertices. Dense vertices at one position get equal numbers. */
+/** Interpolates numbers from the vertices of the mesh to the dense vertices. Copies of a dense vertex at a seam get equal numbers. */
 function mixParents({ count, parents, weights }: DenseMesh, values: Float32Array): Float32Array {
   const out = new Float32Array(count)
   for (let i = 0; i < count; i++) {

@@ -31,6 +31,6 @@ export interface ReliefParts extends CoarseParts {
     inputs: ShaderInputs,
     instances: Instances,
   ): Material | null
-  /** Calls `draw` in the middle of a shadow pass of three.js. `draw` draws to another render target. */
+  /** Called during a shadow pass of three.js. Calls `draw`, which uses another render target, and restores the state of the shadow pass. */
   duringShadow(renderer: AnyRenderer, draw: () => void): void
 }

@@ -33,8 +33,8 @@ export function addDrivers(
 }
 
 /**
- * Replaces the drivers of a face. Also reads the current weights of the areas, for tension drivers. If a joint is not a bone of the mesh, its
- * current pose becomes its rest pose. `setDrivers(wrinkles, wrinkles.drivers)` updates these weights and rest poses.
+ * Replaces the drivers of a face. Tension drivers read the area weights only when drivers are set or added. If a joint is not a bone of the
+ * mesh, its current pose becomes its rest pose. To update only area weights and rest poses, call `setDrivers(wrinkles, wrinkles.drivers)`.
  *
  * @param drivers drivers as for `addDrivers`; an empty list removes all.
  * @throws FurrowError as `addDrivers`.

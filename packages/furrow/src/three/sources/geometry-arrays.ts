@@ -20,8 +20,8 @@ export function coordinates(attribute: AnyAttribute, size = 3): Float32Array {
 }
 
 /**
- * Returns packed xyz vectors of all vertices; only the vectors of the given vertices are set. If possible, returns the array of the
- * attribute itself, because `getX` is several times slower. The result must therefore not be changed.
+ * Returns an array of packed xyz vectors, indexed like the attribute. If possible, this is the array of the attribute itself, because `getX` is
+ * several times slower. The result must therefore not be changed. In a new array, only the vectors of the given vertices are set.
  */
 export function vectorsOf(
   attribute: BufferAttribute | InterleavedBufferAttribute,

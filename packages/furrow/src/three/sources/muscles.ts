@@ -8,8 +8,8 @@ import { coordinates, targetOffsets, trianglesOf } from './geometry-arrays.ts'
 
 /**
  * Adds virtual muscles to a mesh. Each muscle becomes a morph target with normals. The target has the name of the muscle, and its weight is
- * the contraction. If the mesh already has a target with this name, the muscle is skipped. Call the function for every mesh of a face,
- * including brows and lashes.
+ * the contraction of the muscle (1 = full). If the mesh already has a target with this name, the muscle is skipped. Call the
+ * function for every mesh of a face, including brows and lashes.
  *
  * @param mesh mesh whose local space is the coordinate system of the muscles. The function changes the geometry of this mesh, so other meshes
  *   with the same geometry change too.

@@ -25,7 +25,7 @@ export function addArea(wrinkles: WrinklesBase, area: Area): void {
  *
  * @param wrinkles wrinkles of the face.
  * @param name name of the area.
- * @throws FurrowError if the area is unknown or the last one, or the wrinkles were disposed of; nothing then changes.
+ * @throws FurrowError if the area is unknown or the only area, or the wrinkles were disposed of; nothing then changes.
  */
 export function removeArea(wrinkles: WrinklesBase, name: string): void {
   checkWrinkles(wrinkles, 'removeArea')

@@ -23,7 +23,7 @@ export function channelsOf({ width, height, data }: MipLevel): number {
 /**
  * Mipmaps of one slice of a texture array, computed on the CPU, so that a change of a few texels updates only a few texels per level. Each
  * texel is the mean of four texels of the previous level, in linear colour. GPUs compute the same mean if width and height are powers of two.
- * For other sizes the result depends on the GPU. `levels` then contains only the first level.
+ * For other sizes, the result depends on the GPU. For other sizes or without mipmaps, `levels` contains only the first level.
  */
 export class MipChain {
   readonly levels: readonly MipLevel[]
