@@ -191,7 +191,7 @@ describe('pictures of furrow render', () => {
   }
 })
 
-/** Writes a wrinkle set with one area on the left half of the forehead, driven by one blendshape, with occlusion and heights. */
+/** Writes a wrinkle set with one area on the left half of the forehead, driven by one blendshape, with occlusion, onset and heights. */
 async function writeSet(): Promise<string> {
   const own = join(folder, 'set')
   await cp(join(ROOT, 'faces/human'), own, { recursive: true })
@@ -203,6 +203,7 @@ async function writeSet(): Promise<string> {
         kind: 'detail',
         occlusion: 'occlusion.png',
         occlusionStrength: 0,
+        onset: 'layers/expression/onset.png',
         height: 'occlusion.png',
         heightAmplitude: 0.01,
       },

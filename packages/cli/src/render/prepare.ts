@@ -96,8 +96,8 @@ async function findWrinkles(
     `${WHO}: ${path}`,
   )
   const files = new Map([[path, path]])
-  const maps = layers.flatMap(({ normal, baseColor, roughness, occlusion, blood, height }) => {
-    return [normal, baseColor, roughness, occlusion, blood, height].filter((map) => map !== undefined)
+  const maps = layers.flatMap(({ normal, baseColor, roughness, occlusion, blood, onset, height }) => {
+    return [normal, baseColor, roughness, occlusion, blood, onset, height].filter((map) => map !== undefined)
   })
   for (const uri of [...maps, ...areas.map(({ image }) => image)]) {
     const real = await resolveInside(path, uri, WHO, options)
