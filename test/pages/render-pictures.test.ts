@@ -195,16 +195,16 @@ describe('pictures of furrow render', () => {
 async function writeSet(): Promise<string> {
   const own = join(folder, 'set')
   await cp(join(ROOT, 'faces/human'), own, { recursive: true })
-  await cp(join(own, 'layers/expression/normal.png'), join(own, 'occlusion.png'))
+  await cp(join(own, 'layers/expression/normal.png'), join(own, 'height.png'))
   const set = {
     layers: [
       {
         name: 'expression',
         kind: 'detail',
-        occlusion: 'occlusion.png',
+        occlusion: 'layers/expression/occlusion.png',
         occlusionStrength: 0,
         onset: 'layers/expression/onset.png',
-        height: 'occlusion.png',
+        height: 'height.png',
         heightAmplitude: 0.01,
       },
     ],
