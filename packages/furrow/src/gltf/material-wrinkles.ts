@@ -11,14 +11,14 @@ interface IMaterialWrinkles extends IProperty {
   drivers: string[]
   /** JSON text of the strokes (wrinkle lines as curves). The text is `null` if there are none. */
   strokes: string
-  /** JSON text of the facial shapes that the user assigned to blendshapes. The text is `null` if there are none. */
+  /** JSON text of the field `shapes`: ARKit shapes, such as `browInnerUp`, that the user assigned to blendshapes. `null` if there are none. */
   shapes: string
   /** JSON text of unknown fields. */
   unknownFields: string
 }
 
 /**
- * Wrinkles of a material: layers, areas, drivers, strokes, and facial shapes that the user assigned to blendshapes. See
+ * Wrinkles of a material: layers, areas, drivers, strokes, and ARKit shapes that the user assigned to blendshapes. See
  * {@link FurrowWrinkleMaps}.
  */
 export class MaterialWrinkles extends ExtensionProperty<IMaterialWrinkles> {
@@ -99,12 +99,15 @@ export class MaterialWrinkles extends ExtensionProperty<IMaterialWrinkles> {
     return this.set('strokes', JSON.stringify(strokes ?? null))
   }
 
-  /** Returns a copy of the facial shapes that the user assigned to blendshapes, or null if there are none. The JSON is not checked. */
+  /**
+   * Returns a copy of the field `shapes`, or null if there is none. It names the ARKit shapes, such as `browInnerUp`, that the user assigned to
+   * blendshapes. The JSON is not checked.
+   */
   getShapes(): unknown {
     return JSON.parse(this.get('shapes'))
   }
 
-  /** Replaces the facial shapes (see `getShapes`) by a copy of `shapes`, which must be JSON data. Null removes them. */
+  /** Replaces the field `shapes` (see `getShapes`) by a copy of `shapes`, which must be JSON data. Null removes the field. */
   setShapes(shapes: unknown): this {
     return this.set('shapes', JSON.stringify(shapes ?? null))
   }

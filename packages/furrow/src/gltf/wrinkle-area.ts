@@ -73,7 +73,7 @@ export class WrinkleArea extends ExtensionProperty<IWrinkleArea> {
   /**
    * Sets the image of the area's weights.
    *
-   * @param texture image in linear colour space, 1 = fully visible. Null removes the image.
+   * @param texture image in linear colour space, 1 = wrinkles fully visible. Null removes the image.
    * @param channel channel of the image that contains the weights, from 0 = R to 3 = A. By default, the channel does not change. Other areas
    *   may use the other channels of the image.
    */

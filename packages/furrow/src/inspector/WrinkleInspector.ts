@@ -8,7 +8,7 @@ import { FaceView, viewsOf } from './face-view.ts'
 /** Milliseconds between updates of the panel's text. */
 const INTERVAL = 100
 
-/** On pages narrower than this, in CSS pixels, the panel starts closed, because it would cover the face. */
+/** On pages narrower than this, in CSS pixels, the panel starts collapsed, because it would cover the face. */
 const NARROW = 640
 
 const MODES: readonly WrinkleMode[] = ['default', 'composed', 'paper', 'off']
@@ -16,9 +16,10 @@ const RELIEF_MODES: readonly ReliefMode[] = ['off', 'near', 'on']
 
 /**
  * A panel to inspect the wrinkles of one face. It lists the activation of each area and the inputs that drive the area. The page's user can
- * also choose a technical view, the shading mode and relief, and read the cost. The panel works with `WebGLRenderer` and `WebGPURenderer`.
+ * also choose a view, such as normals or strain, the shading mode and relief, and read the cost. The panel works with `WebGLRenderer` and
+ * `WebGPURenderer`.
  *
- * The panel is a `GUI` of lil-gui in the top right corner of the page. It closes when the wrinkles are disposed of.
+ * The panel is a `GUI` of lil-gui in the top right corner of the page. It is removed when the wrinkles are disposed of.
  *
  * @example
  * ```ts
@@ -28,7 +29,7 @@ const RELIEF_MODES: readonly ReliefMode[] = ['off', 'near', 'on']
  * ```
  */
 export class WrinkleInspector {
-  /** The panel. A page can close it, or add controls to it. */
+  /** The panel. A page can collapse it, or add controls to it. */
   readonly gui: GUI
   readonly #wrinkles: WrinklesBase
   readonly #view: FaceView
@@ -67,7 +68,7 @@ export class WrinkleInspector {
     this.#loop(0)
   }
 
-  /** Closes the panel and restores the original material of the face. */
+  /** Removes the panel and restores the original material of the face. */
   dispose(): void {
     cancelAnimationFrame(this.#frame)
     this.#view.dispose()

@@ -88,7 +88,8 @@ export class DeformedNormals {
   }
 
   /**
-   * Computes the normals of the mesh in its current pose. Vertices keep their authored normal if the direction of their point is undefined.
+   * Computes the normals of the mesh in its current pose. Vertices keep their authored normal if the direction of their point is undefined, or
+   * has turned by almost 180 degrees.
    *
    * @param positions current positions, packed xyz per vertex.
    * @param normals receives the unit normals, packed xyz per vertex.

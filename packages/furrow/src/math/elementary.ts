@@ -1,7 +1,8 @@
 /**
  * Elementary functions that return exactly the same numbers in every JavaScript engine, so that automatic wrinkles are reproducible. The
  * ECMAScript standard specifies the rounding only of `+ - * /` and `Math.sqrt`. Functions such as `Math.sin` return different numbers in
- * different engines. The polynomials are from fdlibm (Sun Microsystems, 1993). Errors are below one unit in the last place.
+ * different engines. The polynomials are from fdlibm (Sun Microsystems, 1993). Errors are below one unit in the last place,
+ * except for `power`.
  */
 
 const PI_LOW = 1.2246467991473532e-16
@@ -65,7 +66,7 @@ export function log(x: number): number {
   return s * (half + z * polynomial(z, LOG)) + k * LN2_LOW - half + f + k * LN2_HIGH
 }
 
-/** Computes `base ** exponent` for a base of at least 0. */
+/** Computes `base ** exponent` for a base of at least 0 and an exponent above 0. */
 export function power(base: number, exponent: number): number {
   return base === 0 ? 0 : exp(exponent * log(base))
 }

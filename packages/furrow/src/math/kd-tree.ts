@@ -100,7 +100,10 @@ export class KdTree {
     this.#reach = Math.min(this.#reach, this.#squares[last])
   }
 
-  /** Sorts a range so that points before its middle have smaller coordinates (quickselect, Hoare 1961). Then sorts both halves. */
+  /**
+   * Partitions a range at its middle by the coordinate `axis` (quickselect, Hoare 1961): no point before the middle has a larger coordinate
+   * than a point after it. Then partitions both halves by the next coordinate.
+   */
   #sort(from: number, to: number, axis: number): void {
     if (to - from <= LEAF) return
     const order = this.#order

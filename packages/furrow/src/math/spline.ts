@@ -87,8 +87,8 @@ export function splineKnots(
 }
 
 /**
- * Computes the distance from a position to a part of a polyline. The search goes from one segment to its neighbours on both sides. It stops
- * once the distance is known to be at most `enough`.
+ * Computes the distance from a position to the part of a polyline between the points `from` and `to`. The search begins at the segment after
+ * point `first`, and continues in both directions. It stops once the distance is known to be at most `enough`.
  *
  * @param longest length of the longest segment. The distances to two neighbouring segments differ by at most this length.
  */

@@ -7,7 +7,7 @@ const products = new Float64Array(3)
  *
  * @param a, b, c vertex indices of the triangle.
  * @param positions packed xyz per vertex, in the rest pose.
- * @returns elements xx, xy and yy of the inverse; the fourth element is 0. Undefined if the triangle has no area.
+ * @returns elements xx, xy and yy of the inverse. The element yx is 0. Undefined if the triangle has no area.
  */
 export function restInverse(
   a: number,

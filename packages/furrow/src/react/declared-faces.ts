@@ -49,7 +49,7 @@ export class DeclaredFaces {
     this.#playing = undefined
   }
 
-  /** Plays an expression if it has changed. Without an expression, the page controls the blendshapes. */
+  /** Plays an expression if the expression or the list of faces has changed. Without an expression, the page controls the blendshapes. */
   #express(root: Object3D, face: WrinklesBase | undefined, expression: ExpressionChoice | undefined): void {
     const isNew = !isSame(expression, this.#playing)
     if (!isNew && (expression === undefined || !this.#isStale)) return

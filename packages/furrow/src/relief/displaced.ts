@@ -10,7 +10,7 @@ import type { DenseMesh } from './dense-mesh.ts'
  */
 export const PHONG = 0.5
 
-/** Clearance in metres at which Phong tessellation has its full effect. With less clearance, the surface is curved less. */
+/** Clearance in metres (see `outwardClearance`) at which Phong tessellation has its full effect. Less clearance reduces the curvature. */
 export const CLEARANCE_TO_CURVE = 0.0005
 
 /** Coarse mesh in its current pose. */

@@ -47,7 +47,10 @@ export class HeightField {
     this.#weights = areas && { ...areas, data: unite(areas, slices) }
   }
 
-  /** Adds the absolute displacement at each texel, in metres, to `sums`. */
+  /**
+   * Adds the absolute displacement at each texel, in metres, to `sums`. The result is an upper bound, because the largest area weight around
+   * the texel is used.
+   */
   addReach(sums: Float32Array): void {
     const [{ width, height, data }] = this.#mipmaps
     const areas = this.#weights && { ...this.#weights, data: widen(this.#weights.data, this.#weights) }
