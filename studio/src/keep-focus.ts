@@ -2,8 +2,8 @@ const FOCUSABLE =
   'button:not(:disabled), input:not(:disabled), select:not(:disabled), textarea, summary, [tabindex="0"]'
 
 /**
- * Moves the keyboard focus when the focused element is removed, disabled or hidden, for example by deleting a row. The new focus is an element
- * near the removed one. If there is none, the focus returns to the element that had it earlier.
+ * Moves the focus when the focused element is removed, disabled or hidden, for example by deleting a row. The new focus is an element near
+ * the removed one, or otherwise the previously focused element. Does nothing if the last input came from a pointer.
  *
  * @param page element that contains all focusable elements.
  */
@@ -61,7 +61,10 @@ function isFocusable(element: HTMLElement): boolean {
   return element.isConnected && !element.matches(':disabled') && element.checkVisibility()
 }
 
-/** Finds a focusable element near a removed one. In the nearest row, prefers an element with the class of the removed one. */
+/**
+ * Finds a focusable element near a removed one: in the nearest sibling that contains one, and otherwise near an ancestor. There, prefers an
+ * element with the class of the removed one.
+ */
 function successorOf({ element, path }: Held): HTMLElement | null {
   for (const [ancestor, index] of path) {
     if (!ancestor.isConnected || !ancestor.checkVisibility()) continue

@@ -26,7 +26,7 @@ export class AutoSave {
   readonly #save: (document: StudioDocument) => Promise<void>
   readonly #page: Page
   readonly #stopWatching: () => void
-  /** Last document to save. The signal may already contain the document of another face when `dispose` saves. */
+  /** Newest version of the document. When `dispose` saves, the constructor's signal may already contain another document. */
   #latest: StudioDocument
   #saved: StudioDocument | null
   #running: Promise<void> | undefined

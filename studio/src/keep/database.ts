@@ -13,7 +13,7 @@ export interface Tables extends DBSchema {
   saves: { key: string; value: SaveRecord }
   documents: { key: string; value: DocumentRecord }
   images: { key: [project: string, image: number]; value: ImageRecord }
-  /** Original files of the avatar. The first one is the face. */
+  /** Original files of the avatar: the glTF or VRM file, followed by the files that it references. */
   files: { key: [project: string, index: number]; value: AvatarFile }
   thumbnails: { key: string; value: Blob }
   /** Folder on disk to which the user saved the project. */
@@ -45,7 +45,7 @@ export function rangeOf(project: string): IDBKeyRange {
   return IDBKeyRange.bound([project], [project, []])
 }
 
-/** Connection to a database in the browser. If the browser closes it, the next call opens it again. */
+/** Connection to a database in the browser. If the browser closes the connection, the next call opens a new one. */
 export class Database {
   readonly #name: string
   #opened: IDBPDatabase<Tables> | undefined

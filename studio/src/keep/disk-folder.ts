@@ -9,7 +9,7 @@ type Directory = FileSystemDirectoryHandle & {
 }
 type Picker = (options: { id: string; mode: 'readwrite' }) => Promise<FileSystemDirectoryHandle>
 
-/** Whether the browser can write to folders on disk. Other browsers download a .zip. */
+/** Whether the browser can write to folders on disk. If not, a project can only be saved as a .zip file. */
 export function canWriteFolders(): boolean {
   return 'showDirectoryPicker' in globalThis
 }
@@ -126,7 +126,7 @@ async function isSame(file: File, content: Uint8Array | Blob): Promise<boolean> 
     new Uint8Array(await file.arrayBuffer()),
     bytes ?? new Uint8Array(await (content as Blob).arrayBuffer()),
   ]
-  // An empty file may just have been created, so it counts as different.
+  // `write` may just have created an empty file. It counts as different, so that `writeFolder` lists its path.
   return file.size > 0 && a.every((value, i) => value === b[i])
 }
 

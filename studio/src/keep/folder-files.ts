@@ -21,7 +21,7 @@ const EXTENSIONS: Record<string, string> = { 'image/jpeg': 'jpg', 'image/webp': 
  * `strokes.json` and `face.glb`. Data that these files cannot contain is in `studio.json`. A face with several files is in the folder `face`,
  * for `furrow pack --face`.
  *
- * @param face files of the avatar. The first one is the face.
+ * @param face files of the avatar: the glTF or VRM file, followed by the files that it references.
  */
 export function folderFiles(source: DocumentToPack, face: readonly AvatarFile[]): FolderFile[] {
   const { document } = source

@@ -61,7 +61,7 @@ export class ProjectStore {
   /**
    * Creates and stores a project.
    *
-   * @param files files of the avatar. The first one is the face.
+   * @param files files of the avatar: the glTF or VRM file, followed by the files that it references.
    * @throws FurrowError if the browser cannot store it.
    */
   async create(name: string, files: readonly AvatarFile[], document: StudioDocument): Promise<Project> {
@@ -81,7 +81,7 @@ export class ProjectStore {
   /**
    * Opens a project. It is read-only if another tab has it open.
    *
-   * @param take whether to take the project from the other tab after that tab has saved it.
+   * @param take whether to take the project from the other tab. That tab saves it first, unless it does not answer in time.
    * @throws FurrowError if the project is missing or damaged, or if a later version of the studio stored it.
    */
   async open(id: string, take = false): Promise<Project> {

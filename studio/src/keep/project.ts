@@ -24,7 +24,7 @@ interface Stored {
 /** Project that is open in this tab. */
 export class Project {
   readonly id: string
-  /** Files of the avatar. The first one is the face. */
+  /** Files of the avatar: the glTF or VRM file, followed by the files that it references. */
   readonly files: readonly AvatarFile[]
   /** Document as it was when the project was opened. */
   readonly opened: StudioDocument
@@ -68,11 +68,11 @@ export class Project {
   /**
    * Stores the document in one transaction: writes new images and deletes unused ones. Calls must not overlap.
    *
-   * @throws FurrowError if another tab holds the project's lock, or if the browser cannot store it.
+   * @throws FurrowError if another tab holds the project's lock, or if the browser cannot store the document.
    */
   async save(document: StudioDocument): Promise<void> {
     if (this.isReadOnly) throw openElsewhereError(this.#name, 'save a copy, or close this tab')
-    // The user may have cleared the data, which closes the connection. After opening a new connection, write everything again.
+    // Clearing the site's data deletes the database and closes the connection. So after opening a new connection, write everything again.
     const connection = this.#database.opened ?? (await this.#database.open())
     const stored = this.#stored?.by === connection ? this.#stored.images : undefined
     const images = numbered(imagesOf(document), stored ?? new Map())

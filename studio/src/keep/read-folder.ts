@@ -27,7 +27,7 @@ import {
 
 const WHO = 'Studio'
 
-/** Defaults for folders without these values: `scale` in millimetres per unit, `mapSize` in texels. */
+/** Defaults for folders without these values: `scale` in millimetres per scene unit, `mapSize` (side of a map) in texels. */
 const DEFAULTS = { scale: 1000, mapSize: 1024 } as const
 /** Maps that count as drawn from strokes in folders without `studio.json`. */
 const DRAWN: readonly MapName[] = ['normal', 'occlusion', 'height', 'onset']
@@ -37,18 +37,19 @@ export type DecodeGray = (bytes: Uint8Array, path: string, who: string) => Promi
 
 export interface ReadFolder {
   document: StudioDocument
-  /** Files of the avatar. The first one is the face. Empty if the folder contains no face. */
+  /** Files of the avatar: the glTF or VRM file, followed by the files that it references. Empty if the folder contains no avatar. */
   face: AvatarFile[]
   /** Messages about parts that were skipped, one sentence each. */
   notes: string[]
 }
 
 /**
- * Reads a project folder as `furrow pack` does. Skips maps that were drawn from strokes, because the studio draws them again.
+ * Reads a project folder: the files that `furrow pack` reads, and `studio.json`. Skips maps that were drawn from strokes, because the studio
+ * draws them again.
  *
  * @param files all files, with paths relative to the folder.
  * @param name folder name, for errors.
- * @throws FurrowError for the first missing or invalid file.
+ * @throws FurrowError for the first missing or invalid file, except `studio.json`: its errors become a note.
  */
 export async function readFolder(
   files: readonly AvatarFile[],

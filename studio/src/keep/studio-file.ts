@@ -16,7 +16,7 @@ import {
  */
 export interface StudioFile {
   version: 1
-  /** Millimetres per unit, for folders without `strokes.json`. */
+  /** Millimetres per scene unit. Ignored if the folder contains `strokes.json`, which has its own scale. */
   scale?: number
   mapSize?: number
   auto?: AutoSettings
@@ -76,7 +76,7 @@ const MAX_FILES = 5000
 const MAX_NAMES = 4096
 const MAX_STROKES = 1_000_000
 
-/** Reads `studio.json`. Invalid fields count as missing, because all fields are optional. */
+/** Reads `studio.json`. Skips invalid fields, and skips all fields if the version is unknown. `note` describes the errors. */
 export function parseStudioFile(json: unknown): ReadStudioFile {
   const errors: string[] = []
   const attempt = <T>(read: () => T): T | undefined => {

@@ -11,7 +11,7 @@ const NEW_AREA = 'lines'
 /** A line is on an area if the area's mean weight at the line's points is at least this, 0..255. */
 const UNDER = 32
 
-/** New wrinkle line. Default group: the name of the area below it. Default layer: the layer of this area. */
+/** New wrinkle line. Default group: the area that covers the line, or a new area. Default layer: the layer of this area. */
 export type NewLine = Omit<LayerStroke, 'layer'> & { readonly layer?: string }
 
 /** Adds a wrinkle line to a document. Extends the area of influence that shows the line, or adds an area. */
@@ -27,7 +27,7 @@ export function coverLine(document: StudioDocument, stroke: LayerStroke, canvas:
   const { group, layer } = stroke
   if (group === undefined) return document
   const [area] = areasOf(document, group)
-  // The group has one area per side of the face. Its lines cross the middle, so do not extend either area.
+  // The group has an area for a single side, such as `browLeft`. A line that crosses the middle would extend it to the other side.
   if (area && area.name !== group) return document
   const weights = paintWeights({ name: group, shapes: [groupShape(group, [stroke])] }, [stroke], canvas)
   // No driver activates a new area yet, so activate it at rest.

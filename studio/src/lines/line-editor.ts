@@ -35,7 +35,7 @@ export interface LineSurface {
 export class LineEditor {
   readonly mode = signal<LineMode>('off')
   readonly shape = signal(LINE_SHAPE)
-  /** Group of new lines. If empty, each line gets the name of the area below it. */
+  /** Group of new lines. If empty, each line gets the name of the area that covers it. */
   readonly group = signal('')
   /** Layer of new lines. If empty, each line gets the layer of its area. */
   readonly layer = signal('')
@@ -95,7 +95,7 @@ export class LineEditor {
     this.point.value = -1
   }
 
-  /** Chooses a fork: its handle on the trunk, or on one of the lines that end there. */
+  /** Chooses a fork and a line at it: the fork's trunk, or a line that ends at the fork if there is no trunk. */
   chooseFork(fork: Fork): void {
     const [{ stroke }] = [...fork.trunks, ...fork.ends]
     this.#index.value = stroke
@@ -139,7 +139,7 @@ export class LineEditor {
     const { knot = -1, fork } = this.handles.peek()[this.point.peek()] ?? {}
     const stroke = this.chosen.peek()
     const canvas = this.#surface()?.canvas
-    // A fork without a point stays, because it belongs to another line.
+    // A fork between two points of the chosen line has no point to remove: it is the end of another line.
     if (!stroke || !canvas || (fork && knot < 0)) return
     this.point.value = -1
     if (knot >= 0 && splineOf(stroke, canvas).points.length > 2)
@@ -158,7 +158,7 @@ export class LineEditor {
     this.#changeTrunk('Smooth a line', (stroke, { canvas }) => smoothStroke(stroke, SMOOTHING, canvas))
   }
 
-  /** Separates the chosen line from the lines that it ends on: in the chosen fork, or in all forks. */
+  /** Shortens the chosen line at its ends that are in forks. If it ends in the chosen fork, changes only that end. */
   detach(): void {
     const { fork } = this.handles.peek()[this.point.peek()] ?? {}
     const index = this.#index.peek()

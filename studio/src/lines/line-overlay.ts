@@ -8,7 +8,7 @@ const COLOURS = {
   chosen: '#ff9d2e',
   shadow: 'rgb(40 20 10 / 40%)',
 }
-/** Points of a polyline that are closer than this on the screen are skipped, CSS pixels. */
+/** Minimum distance between drawn points of a polyline, CSS pixels. Points in between are skipped. */
 const STEP = 3
 /** Radii of points, CSS pixels. */
 const POINT = 4

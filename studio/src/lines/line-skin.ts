@@ -65,7 +65,7 @@ export class LineSkin {
     return line
   }
 
-  /** Returns the texture coordinates of the points of `lineOf`, packed uv, and caches them. Returns null if the stroke is not on the skin. */
+  /** Returns `u, v` of each point of a stroke's polyline, packed, and caches them. Returns null if the stroke is not on the skin. */
   uvsOf(stroke: LayerStroke): Float64Array | null {
     const line = this.lines.lineOf(stroke)
     if (!line) return null

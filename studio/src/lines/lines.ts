@@ -127,7 +127,7 @@ export class Lines {
     })
   }
 
-  /** Reads the skin of the current face when line editing begins. */
+  /** Reads the skin of the current face when line editing begins, or when the skin, scale or area size changes later. */
   #readSkin(): void {
     const { session, viewer, attempt } = this.#parts
     const document = session.document.value

@@ -34,7 +34,7 @@ export interface LineHit {
   readonly distance: number
 }
 
-/** Visibility is tested at every fourth point of a line, up to 2 mm apart. */
+/** Visibility is tested at every fourth point of a line. Most tested points are at most 2 mm apart. The points between take the last result. */
 const SIGHT_STEP = 4
 
 /** Projects the lines of the deformed face to screen space. Caches the result until the camera or the face moves. */

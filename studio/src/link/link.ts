@@ -129,7 +129,7 @@ function cameraOf(text: string): Link['camera'] {
   // If the camera looks straight up or down, its up direction is undefined.
   const isUpright = Math.hypot(x - tx, z - tz) > 1e-3 * distance
   if (values.length !== 6 || !isUpright)
-    throw unusableError('its camera', text.slice(0, MAX.name), '6 numbers')
+    throw unusableError('its camera', text.slice(0, MAX.name), '6 numbers of a view that is not vertical')
   return [x, y, z, tx, ty, tz]
 }
 
@@ -199,7 +199,7 @@ function unescaped(text: string): string {
   try {
     return decodeURIComponent(text)
   } catch {
-    throw unusableError('it is cut off', text.slice(0, MAX.name))
+    throw unusableError('a %-escape in it is invalid', text.slice(0, MAX.name))
   }
 }
 

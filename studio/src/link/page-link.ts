@@ -13,7 +13,7 @@ export interface PageLinkParts {
   messages: Messages
   loading: Loading
   light: ShownScene['light']
-  /** Runs a function that changes blendshapes and camera. */
+  /** Stops motion, and then runs a function that changes the pose and the camera. */
   set(write: () => void): void
 }
 

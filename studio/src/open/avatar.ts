@@ -57,7 +57,7 @@ export async function openDropped(
   return { ...avatar, folder: dropped.wrinkles, skins, notes }
 }
 
-/** Whether the studio wrote a folder. Such a folder contains a document. */
+/** Whether a folder is a project that the studio saved. */
 function isProject({ files }: WrinklesFolder): boolean {
   return files.some(({ path }) => path === STUDIO_FILE)
 }

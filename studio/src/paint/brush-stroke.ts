@@ -15,7 +15,7 @@ import type { Sight } from './visible-places.ts'
 const SPACING = 0.08
 /** Maximum step of a stroke that is drawn in the texture, texels. */
 const TEXTURE_STEP = 0.5
-/** A step in the texture crosses a UV seam if its length on the skin is more than this multiple of the expected length. */
+/** A step in the texture crosses a UV seam if its length on the skin is more than this multiple of `TEXTURE_STEP`, converted to millimetres. */
 const JUMP = 10
 
 /** Brush stroke on an area: dabs at even distances on the skin, whatever the distances between pointer events. */
@@ -53,7 +53,7 @@ export class BrushStroke {
    *
    * @param point point on the skin, or undefined if the pointer is not on the face. Undefined interrupts the stroke.
    * @param pressure pen pressure, 0..1. Default 1.
-   * @returns changed texels.
+   * @returns rectangle of the texels that this call changed, or undefined if there are none.
    */
   moveTo(point: SkinPoint | undefined, pressure = 1): Rectangle | undefined {
     this.#lastUv = undefined
