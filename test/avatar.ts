@@ -13,7 +13,7 @@ const BODY: readonly { joint: string; min: readonly number[]; max: readonly numb
   { joint: 'Hips', min: [-0.17, 0, -0.12], max: [-0.02, 0.92, 0.05] },
 ]
 
-/** Joints with their positions, centimetres. `of` names the parent joint; a joint without `of` is a child of the armature node. */
+/** Joints with their positions in the armature, centimetres. `of` names the parent joint; a joint without `of` is a child of the armature node. */
 const JOINTS: readonly { name: string; of?: string; at: [number, number, number] }[] = [
   { name: 'Hips', at: [0, 92, -3] },
   { name: 'Spine', of: 'Hips', at: [0, 105, -3] },

@@ -27,7 +27,7 @@ URL.createObjectURL = (blob) => {
 /**
  * Draws the page's scene with and without wrinkles at the same animation time, and compares the red channels.
  * The region's edges are fractions of the picture.
- * @returns largest difference within the region, and contrast of the complete picture, both 0..255.
+ * @returns largest difference within the region, and contrast (maximum minus minimum) of the complete picture with wrinkles, both 0..255.
  */
 async function compareWrinkles({ left, top, right, bottom }) {
   const imports = document.querySelector('script[type=importmap]').textContent

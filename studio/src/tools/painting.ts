@@ -35,7 +35,7 @@ interface PaintedFace {
 /** Inputs for preparing the skin of the open face. */
 type OpenFace = Pick<StudioDocument, 'scale' | 'areaSize'> & Pick<OpenedAvatar['skins'][number], 'meshes'>
 
-/** Maximum number of vertices of skins to prepare in advance. Larger skins need hundreds of megabytes. */
+/** Maximum number of vertices of a skin, over all its meshes, to prepare it in advance. Larger skins need hundreds of megabytes. */
 const MAX_PREPARED = 500_000
 
 export const PAINT_SHAPES = ['brush', 'polygon'] as const
@@ -105,7 +105,7 @@ export class Painting {
     effect(() => {
       if (this.area.value !== null) void this.#preparation()
     })
-    // Cancel the stroke, because undo may have replaced the weights that it changes.
+    // Cancel the stroke whenever the document changes. Undo, for example, may have replaced the weights that the stroke changes.
     effect(() => {
       session.document.value
       if (this.area.peek() !== null) for (const { host } of this.#tools) host.cancel()

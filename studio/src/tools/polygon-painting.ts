@@ -9,7 +9,7 @@ import { Polygon } from './polygon.ts'
 import { PolygonOutline } from './polygon-outline.ts'
 import { PolygonTool } from './polygon-tool.ts'
 
-/** Default width of the soft outline, millimetres. */
+/** Default of `feather`, millimetres. */
 const FEATHER = 4
 
 /** View in which the user can draw a polygon: the face or its texture. */
@@ -35,7 +35,7 @@ export interface PolygonPaintingParts {
 
 /** Lets the user paint an area with polygons on the face or on its texture. */
 export class PolygonPainting {
-  /** Width of the soft outline, millimetres. */
+  /** Width of the band along the polygon's border in which the painted weight falls to 0, millimetres. */
   readonly feather = signal(FEATHER)
   readonly #parts: PolygonPaintingParts
   readonly #polygon: Polygon

@@ -9,7 +9,7 @@ const STEP = 0.1
 /** Zoom factor per key press. */
 const ZOOM_STEP = 1.25
 const MAX_ZOOM = 64
-/** If two consecutive points of a line are farther apart than this fraction of the texture's width, a UV seam is between them. */
+/** Minimum jump between two consecutive points of a wrinkle line at a UV seam, as a fraction of the texture's width. Views interrupt the line there. */
 export const TEXTURE_JUMP = 0.02
 
 /** Position and size of a texture on screen. */

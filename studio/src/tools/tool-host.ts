@@ -16,7 +16,7 @@ export class ToolHost {
   #queue: (() => void)[] | null = null
 
   /**
-   * @param stage element that shows the face.
+   * @param stage element that shows the face or its texture.
    * @param camera returns the camera, or null while no face is open.
    */
   constructor(stage: HTMLElement, camera: () => Camera | null) {
@@ -92,8 +92,8 @@ export class ToolHost {
   }
 
   /**
-   * Handles a second pointer during a gesture. A second touch cancels the gesture, and both touches move the camera. Therefore, this dispatches
-   * the press of the first touch again. Other pointers are ignored.
+   * Handles a second pointer during a gesture. A second touch cancels the gesture, and both touches move the camera. The camera controls have not
+   * received the press of the first touch, so this method dispatches the press again. Other pointers are ignored.
    */
   #addPointer(taken: PointerEvent, second: PointerEvent): void {
     if (taken.pointerType !== 'touch' || second.pointerType !== 'touch') {

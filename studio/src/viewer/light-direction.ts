@@ -6,7 +6,7 @@ export interface LightDirection {
   readonly pitch: number
 }
 
-/** Maximum yaw and pitch. Larger angles light the face from behind. */
+/** Maximum yaw and pitch, degrees. A larger yaw lights the face from behind. At a pitch of 90, the direction would not depend on the yaw. */
 export const MAX_LIGHT = [90, 85] as const
 
 const RADIANS = Math.PI / 180

@@ -155,7 +155,7 @@ export class ShownFace {
     return new Map(this.#live?.targets.map((dial) => [dial.name, dial.read()]))
   }
 
-  /** Shows a preview of the area or blendshape under the pointer. Null ends the preview. */
+  /** Previews the area or recognised blendshape of a control. Null, the slider of a blendshape or a playing clip ends the preview. */
   perform(hovered: Hovered | null): void {
     const shown = hovered?.kind === 'target' || this.player.isPlaying.peek() ? null : hovered
     untracked(() => this.#performer.request(shown))
@@ -166,7 +166,10 @@ export class ShownFace {
     this.#performer.settle()
   }
 
-  /** Highlights the area under the pointer, the areas of the blendshape under the pointer, or otherwise the painted area. */
+  /**
+   * Highlights the areas of the control under the pointer or with the focus. Without such a control, highlights the painted area. Highlights
+   * nothing if a preview shows the wrinkles instead.
+   */
   highlight(painted: string | null): void {
     const [viewer, hovered] = [this.viewer.value, this.hovered.value]
     if (!viewer) return

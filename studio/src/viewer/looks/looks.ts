@@ -194,7 +194,7 @@ export class Looks {
     return { without: { ...sides.without, isLit: true }, with: { ...sides.with, isLit: true } }
   }
 
-  /** Shows the skin with a new material on each side. A second `Wrinkles` object adds wrinkles to the right one. */
+  /** Shows the skin with a new material on each side. A second `Wrinkles` object adds wrinkles to the material of the right side. */
   #wrinkled(create: (maps: NormalMaps) => Material, others: Material): Record<Side, SideLook> {
     const { skin } = this.#face
     const [plain] = [this.#plain].flat()

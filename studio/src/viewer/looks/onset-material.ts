@@ -9,10 +9,10 @@ import {
   type Texture,
 } from 'three'
 
-/** Onsets of at least this value get the colour `LATE`. The ends of automatic lines have this onset. */
+/** Onsets of at least this value get the colour `LATE`. Where the depth of a stroke reaches 0, `strokesToOnset` draws this onset. */
 const LATEST = 0.5
 
-/** Width of the borders of lines that mix two onsets after a map was scaled to twice its size, texels. */
+/** Width of the border of a line, texels, in which scaling a map to twice its size mixes the line's onset with 0. */
 const BORDER = 2
 
 /** Colours (sRGB, 0..255) of skin whose onset is 0 (`AT_ONCE`), just above 0 (`EARLY`), and at least `LATEST` (`LATE`). */

@@ -58,7 +58,7 @@ export function targetDials(root: Object3D): Dial[] {
   })
   return [...bindings].map(([name, targets]) => ({
     name,
-    // Look up the index each time, because removing a muscle's blendshape changes indices. The slider exists until the next render.
+    // Look up the index each time, because removing a muscle's blendshape changes indices. The slider of a removed blendshape exists until the next render.
     read: () => {
       const [{ indices, spelling, weights }] = targets
       return weights[indices[spelling]] ?? 0

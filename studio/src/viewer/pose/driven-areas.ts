@@ -4,8 +4,8 @@ import type { Dial } from './dials.ts'
 import { FaceDrivers, type FaceState } from './face-drivers.ts'
 
 /**
- * Lets drivers activate the areas of the face. Evaluates the drivers instead of `Wrinkles`, so that sliders follow before the next frame. An area
- * that the user has set keeps its activation until its drivers return a new value.
+ * Lets drivers activate the areas of the face. Sets `Wrinkles.driven` to false and evaluates the drivers itself, so that the sliders of areas
+ * show new activations before the next frame. An area that the user has set keeps its activation until its drivers return a new value.
  */
 export class DrivenAreas implements FaceState {
   /** Values of custom inputs, such as the age in years or stress. The keys are the names of the inputs. */

@@ -22,7 +22,7 @@ export interface FaceState {
 
 const MEASURED = ['target', 'joint', 'tension'] as const
 
-/** Evaluates drivers of all types on the face. Omits delays, so that sliders show the final activation immediately. */
+/** Evaluates the drivers of the face. Omits drivers of type `time`, which delay activations, so that sliders show the final activation immediately. */
 export class FaceDrivers {
   readonly list: readonly WrinkleDriver[]
   readonly #plan: DriverPlan

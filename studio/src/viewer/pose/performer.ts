@@ -7,7 +7,7 @@ import { poseOfTarget } from './performance.ts'
 
 /** Time that the pointer must stay on a control before the preview starts, milliseconds. */
 const DELAY = 150
-/** Duration of the transition to a preview, seconds. */
+/** Duration of the transition to a preview, and of the transition back, seconds. */
 const TIME = 0.35
 
 /** Values of dials. The keys are the names of the dials. */
