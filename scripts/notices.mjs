@@ -1,4 +1,5 @@
-// `npm run notices`: writes the licences of all packages that npm installs with furrow-cli to THIRD_PARTY_NOTICES.md.
+// `npm run notices`: lists all packages that npm installs with furrow-cli in THIRD_PARTY_NOTICES.md, with the texts of
+// their licences. Packages that npm installs only on some platforms are listed without texts.
 
 import { existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
@@ -24,8 +25,8 @@ await main(() => {
 })
 
 /**
- * Returns all direct and indirect dependencies, sorted by name and version. `path` is the path in node_modules. The
- * other properties are from package-lock.json.
+ * Returns all direct and indirect dependencies, sorted by name and version. `path` is the folder of the package, relative
+ * to the root of the repository. The other properties are from package-lock.json.
  */
 function listInstalled() {
   const found = new Map()

@@ -1,6 +1,7 @@
-// `npm test` checks every change. `npm run test:all` runs the remaining tests, which takes hours on two cores. Its
-// options: `-- --shard 2/8` runs the second of eight parts. `-- --minutes 10` starts with tests of recent changes, and
-// stops after 10 minutes. Other arguments go to Vitest, e.g. `npm test -- --project unit test/unit/drivers`.
+// `npm test` checks every change. `npm run test:all` runs the remaining tests, and some tests again with more renderers
+// or random cases, which takes hours on two cores. Its options: `-- --shard 2/8` runs the second of eight parts.
+// `-- --minutes 10` starts with tests of recent changes, and stops after 10 minutes. Other arguments go to Vitest, e.g.
+// `npm test -- --project unit test/unit/drivers`.
 
 import { spawnSync } from 'node:child_process'
 import { readFileSync, rmSync } from 'node:fs'
@@ -82,7 +83,7 @@ function readShard(text) {
   )
 }
 
-/** Runs `npm test`. Two parts run at a time, because each keeps one core busy. */
+/** Runs the tests and checks of `npm test`. */
 async function testQuickly() {
   const tests = (await listTests()).filter(isQuick)
   return inParallel([
@@ -95,7 +96,7 @@ async function testQuickly() {
   ])
 }
 
-/** Runs the tests that `npm test` skips: all of them, one shard, or as many as the time limit allows. */
+/** Runs the tests of `npm run test:all`: all of them, one shard, or as many as the time limit allows. */
 async function testAll(shard, until) {
   const tests = (await listTests()).filter(isInAll)
   if (until === undefined) {
@@ -175,7 +176,7 @@ async function checkDownload() {
   return { name: 'download', state: grown.length > 0 ? 'warning' : 'passed', detail: grown.join('\n') }
 }
 
-/** Runs steps, two at a time. Returns their results in order. */
+/** Runs two steps at a time. Each step keeps about one core busy. Returns the results in order. */
 async function inParallel(steps) {
   const results = []
   const rest = [...steps.entries()]

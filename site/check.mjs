@@ -41,7 +41,7 @@ await main(async () => {
   }
 })
 
-/** Follows every link of the site. Checks that the fragment of a link is the anchor of a heading. */
+/** Follows all links between pages of the site, but no links to other sites. Checks that the targets of fragments exist. */
 async function checkLinks(address, folder) {
   const config = join(folder, 'linkinator.json')
   const others = `^(?!${address})`

@@ -61,7 +61,7 @@ export function pageOf(file) {
   return file.replace(/(^|\/)README\.md$/, '$1index.md')
 }
 
-/** Returns the file of a page in the repository. This is the inverse of `pageOf`. */
+/** Returns the path of the Markdown file that becomes the given page. This is the inverse of `pageOf`. */
 export function fileOf(page) {
   if (page === 'overview.md') return 'README.md'
   return /\/index\.md$/.test(page) ? page.replace(/index\.md$/, 'README.md') : page

@@ -33,7 +33,7 @@ export default defineConfig({
     target: 'es2022',
     lib: { entry: ENTRIES, formats: ['es'] },
     rolldownOptions: {
-      // `codeSplitting` requires this option. Entries would get additional exports if a chunk imported an entry, but no chunk does.
+      // `codeSplitting` requires this value. It lets the bundler add exports to an entry that a chunk imports, but no chunk imports an entry.
       preserveEntrySignatures: 'allow-extension',
       external: (id) => PEERS.some((peer) => id === peer || id.startsWith(`${peer}/`)),
       output: {
@@ -43,7 +43,7 @@ export default defineConfig({
           includeDependenciesRecursively: false,
           groups: [{ name: chunkOf, debugName: 'rooms' }],
         },
-        // Full names are readable, and do not change between builds.
+        // Chunks export full names, which are readable and do not change between builds.
         minifyInternalExports: false,
         // The published package contains the source files.
         sourcemapExcludeSources: true,
@@ -97,7 +97,7 @@ function nameIn(chunks: typeof CHUNKS, path: string): string | null {
 
 const eager = new Map<string, boolean>()
 
-/** Whether an entry imports a module statically, directly or through other modules. The library has no circular imports. */
+/** Whether an entry imports a module statically, directly or through other modules. The recursion ends, because the library has no circular imports. */
 function isEager(id: string, graph: Graph): boolean {
   const known = eager.get(id)
   if (known !== undefined) return known

@@ -18,7 +18,7 @@ const GAP = 6
 
 const names = new Set(exampleNames().map((name) => `examples/${name}`))
 
-/** Returns whether the name of a figure selects the picture of one example, or of all examples. */
+/** Returns whether a figure name is `examples` (the pictures of all examples), or `examples/NAME` of an example. */
 export const isExamplePicture = (name) => name === 'examples' || names.has(name)
 
 /** Takes the pictures of the selected examples, or of all examples if none is selected. Then draws the sheet again. */
@@ -66,14 +66,15 @@ function pixelsOf({ left, top, right, bottom }) {
   return { left: x, top: y, width: Math.round(right * width) - x, height: Math.round(bottom * height) - y }
 }
 
-/** Opens an example and plays the same expression as its test. Hides the controls below the canvas. */
+/** Opens an example and waits until its face looks surprised. Hides the controls below the canvas. */
 async function openSettled(page, { drawSettled, openPaused, playSurprise, SECOND }, url) {
   // Hides WebGPU from the page. Without a GPU, the browser cannot capture a WebGPU canvas.
   await page.addInitScript('Object.defineProperty(Navigator.prototype, "gpu", { value: undefined })')
   await openPaused(page, url)
   await page.addStyleTag({ content: 'form { display: none !important }' })
   await page.evaluate('dispatchEvent(new Event("resize"))')
-  // Waits until automatic wrinkles and loading screens are done. They take real time, although the clock of the page is paused.
+  // Waits until no progress bar is left, i.e. until files are loaded and automatic wrinkles are generated. Both take real
+  // time, although the clock of the page is paused.
   while ((await page.locator('progress').count()) > 0) {
     await page.clock.runFor(SECOND / 60)
     await page.waitForTimeout(SECOND / 10)

@@ -7,7 +7,7 @@ export const FACE = join(ROOT, 'faces/human.glb')
 /** A scanned face outside the repository. Its figures are skipped if it is missing. */
 export const SCAN = join(ROOT, '../shared/real-face/ict-face.glb')
 
-/** Faces that get automatic wrinkles. Paths are relative to the root of a checkout. */
+/** Faces that get automatic wrinkles. A path is absolute, or relative to the root of a checkout (this one or `BEFORE`). */
 const SOURCES = { human: 'faces/human.glb', 'human-2': 'faces/human-2.glb', scan: SCAN }
 
 /** Ages of the automatic wrinkles, years. */
@@ -66,7 +66,7 @@ async function autoBefore(face, file) {
 /**
  * Writes the face with another skin colour.
  *
- * @param isPale whether expressions leave the blood unchanged.
+ * @param isPale whether to turn off blood, so that no expression makes the skin redder or paler.
  */
 async function tint(file, factor, isPale) {
   const { transformFile } = await import('../lib/transform.mjs')

@@ -8,8 +8,8 @@ const SIZE = { width: 1600, height: 1200 }
 const SHOWN = { width: 270, height: 250 }
 
 /**
- * Cameras and the top left corners of their crops. The distances are 40 cm (shows the cheek below the left eye), 1 m (a
- * quarter of the face) and 3 m (the head). At `zoom` 1 the distance is 82 cm, and the head fills the frame.
+ * Cameras and the top left corners of their crops. From 40 cm, the crop shows the cheek below the left eye, from 1 m a
+ * quarter of the face, from 3 m the head. At `zoom` 1 the distance is 82 cm, and the head fills the uncropped picture.
  */
 const DISTANCES = [
   { zoom: 2.05, left: 620, top: 590 },

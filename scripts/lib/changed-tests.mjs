@@ -33,7 +33,10 @@ function rotate(list, number) {
   return list.map((_, i) => list[((number + i) * stride) % list.length])
 }
 
-/** Returns a function that tells whether a test imports a changed file, directly or indirectly. */
+/**
+ * Returns a function that tells whether a test imports a changed file, directly or indirectly. If a file of a build
+ * changed, the function also returns true for tests in `RUN_BUILDS`.
+ */
 function testsImporting(changed) {
   const importsOfTest = importCollector()
   const isBuildChanged = changed.some((file) => !NOT_BUILT.test(file))
@@ -98,7 +101,7 @@ function changedFiles() {
   const head = git('rev-parse', 'HEAD')
   const base = git('merge-base', 'HEAD', 'origin/main')
   const start = base && base !== head ? base : git('rev-parse', '--verify', '--quiet', `HEAD~${COMMITS}`)
-  // A shallow clone lacks these commits, so every file counts as changed.
+  // In a shallow clone, git may not find the first commit to compare with. Then every file counts as changed.
   return start ? git('diff', '--name-only', start).split('\n') : git('ls-files').split('\n')
 }
 

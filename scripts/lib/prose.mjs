@@ -5,7 +5,7 @@ import { ROOT } from './run.mjs'
 
 const CHECKED = /\.(ts|tsx|mjs|js|py|md)$/
 
-/** Files that are not checked: licences, generated data, and pages that will be replaced. */
+/** Files that are not checked: licences, generated data, and a page that will be rewritten. */
 const SKIPPED = /THIRD_PARTY_NOTICES\.md$|templates\/template-data\.ts$|^docs\/studio\.md$/
 
 const MAX_WORDS = 30
@@ -28,7 +28,7 @@ export function checkedFiles(paths = []) {
 }
 
 /**
- * Finds sentences that are too long, and comments that begin without a subject.
+ * Finds sentences that are too long, and comments that begin with a preposition or pronoun instead of a noun or verb.
  *
  * @param {string} path file name. Its extension selects the language.
  * @param {string} text

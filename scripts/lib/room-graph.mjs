@@ -42,7 +42,7 @@ function libraryImports() {
   return imports
 }
 
-/** Returns for each folder outside the library the folders that it imports. `furrow` is the library. */
+/** Returns for each folder outside the library the folders that it imports. The library is named `furrow`. */
 function outsideImports() {
   const folders = OUTSIDE.map((folder) => [folder.split('/').at(-1), folder])
   return importsBetween(new Map([...folders, ['furrow', LIBRARY]]))
@@ -89,7 +89,7 @@ function toDot(library, outside) {
 }`
 }
 
-/** Returns the imports as pairs. Omits a pair if other pairs imply it. */
+/** Returns the imports as pairs. Omits a pair if its two folders are also connected through other folders. */
 function edgesOf(imports) {
   const reaches = (from, to, skip) =>
     [...imports.get(from)].some((next) => next !== skip && (next === to || reaches(next, to)))

@@ -22,12 +22,15 @@ const SUBSET_SIZES = [5, 10, 20, 30]
 /** Name of the set that contains all ARKit shapes, and shapes that ARKit lacks. */
 const MIXED = 'full, with sliders and composites'
 
-/** Counts of blendshapes that were recognised rightly or wrongly. */
+/** Numbers of blendshapes by result. */
 interface Counts {
+  /** Blendshapes that ARKit has. Each is also counted as `right`, `unknown` or `wrong`. */
   all: number
   right: number
   unknown: number
+  /** Includes shapes that ARKit lacks, if they got an ARKit name. */
   wrong: number
+  /** Blendshapes in `KEY_SHAPES`. */
   key: number
   keyRight: number
   /** Recognised with a confidence above `SURE`. */
@@ -38,7 +41,7 @@ interface Counts {
 interface Row {
   head: string
   templates: string
-  /** Number of blendshapes in a random subset, or the whole set. */
+  /** Number of blendshapes in a random subset, or the name of a complete set. */
   set: number | 'full' | typeof MIXED
   counts: Counts
 }

@@ -13,8 +13,8 @@ import { browserName } from './browser-name.ts'
 /** Canvas size in pixels, typical of a web page. In smaller images, wrinkles have a larger share of the frame time. */
 const SIZE = { width: 1280, height: 720 }
 /**
- * Number of rounds. Each round compiles the shaders again. A GPU driver always produces the same program, so few rounds
- * suffice. A software rasteriser would need more.
+ * Number of rounds. Each round compiles the shaders again. Few rounds suffice on a GPU, because its driver compiles a
+ * shader to the same code every time. A software rasteriser needs more rounds, because the speed of its code varies.
  */
 const ROUNDS = 3
 

@@ -97,7 +97,7 @@ export class LiveFace {
   /**
    * Replaces the avatar. Generates wrinkles if the file has none.
    *
-   * @returns whether the avatar has wrinkles.
+   * @returns whether the avatar has wrinkles. Also true if another avatar replaced it before its wrinkles were ready.
    * @throws Error if the file cannot be read.
    */
   async show(file: AvatarFile, options?: AvatarOptions): Promise<boolean> {
@@ -206,7 +206,10 @@ export class LiveFace {
     this.#renderer.render(this.#scene, this.#camera)
   }
 
-  /** Moves the camera towards the position of the pointer. Returns whether the camera is still moving. */
+  /**
+   * Rotates the camera around the face: to the left if the pointer is right of the face, and down if the pointer is below
+   * it. Returns whether the camera is still moving.
+   */
   #follow(): boolean {
     const { x, y } = this.#aim
     const [dx, dy] = [x - this.#now.x, y - this.#now.y]

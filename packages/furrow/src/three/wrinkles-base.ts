@@ -50,7 +50,8 @@ export abstract class WrinklesBase extends WrinkleFaces {
    * Changes the shading mode and recompiles the material. `composed` uses only the normal maps of the layers, and ignores `fadeBelow`.
    *
    * @throws FurrowError if the mode is unsupported for the mesh or material; the mode then stays unchanged. The mode `paper` needs one layer,
-   *   a material that can be patched, and readable maps of one size. The modes `paper` and `composed` do not support instances.
+   *   a material that can be patched, and maps of equal size whose pixels JavaScript can read (e.g. PNG or WebP, not KTX2). The modes `paper`
+   *   and `composed` do not support instances.
    */
   set mode(mode: WrinkleMode) {
     meshOf(this).mode = mode
@@ -63,7 +64,7 @@ export abstract class WrinklesBase extends WrinkleFaces {
 
   /**
    * Changes when height maps displace the surface (relief). On first use, triangles under areas are split over several frames, and the face
-   * has no relief until all are split. Meshes that do not support relief stay unchanged, and the mode `on` logs one warning.
+   * has no relief until all are split. If a mesh of the face does not support relief, the whole face has none, and the mode `on` logs a warning.
    *
    * @throws FurrowError if the value is unknown.
    */
