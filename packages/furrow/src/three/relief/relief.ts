@@ -175,7 +175,10 @@ export class Relief {
 /** Maximum distance between a level of detail and the exact surface, pixels. Below 0.5, so that two levels differ by less than one pixel. */
 const MAX_PIXELS = 0.45
 
-/** Returns the index of the coarsest level of detail within `MAX_PIXELS`, or 0 (the finest) if none is. Small triangles are expensive, see bench/README.md. */
+/**
+ * Returns the index of the coarsest level of detail within `MAX_PIXELS`, or 0 (the finest) if none is. Small triangles are expensive, see
+ * bench/README.md.
+ */
 function versionFor(pixelsPerMetre: number): number {
   const tooCoarse = TOLERANCES.findIndex((tolerance) => tolerance * pixelsPerMetre > MAX_PIXELS)
   return tooCoarse < 0 ? TOLERANCES.length - 1 : Math.max(tooCoarse - 1, 0)

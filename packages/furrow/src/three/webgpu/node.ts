@@ -55,7 +55,10 @@ export function sizeOf(node: TextureNode): Node<'ivec2'> {
   return typed(textureSize(node, int(0)))
 }
 
-/** Builds a view-space normal in the same way as three.js builds the normal of a material. */
+/**
+ * Builds a view-space normal in the sub-build `NORMAL` of three.js, in which `normalView` is the normal of the geometry. Elsewhere,
+ * `normalView` is the normal of the material.
+ */
 export function normalInView(normal: Node): Node<'vec3'> {
   return typed(subBuild(normal, 'NORMAL', 'vec3'))
 }

@@ -51,7 +51,10 @@ vec4 furrowSampleMap(vec2 at) {
 }
 `
 
-/** Adds `vec4 furrowSampleCell(vec2 uv, vec2 corner)`, which returns the influence at texture coordinates (0..1) in the cell at `corner`. */
+/**
+ * Adds `vec4 furrowSampleCell(vec2 uv, vec2 corner)`, which returns the influence at texture coordinates (0..1) in a cell. `corner` is the
+ * centre of the first texel of the cell.
+ */
 const CELL = /* glsl */ `${MAP}
 uniform highp vec4 furrowCell;
 uniform highp vec4 furrowInside;
@@ -79,8 +82,9 @@ vec4 furrowLookUp(vec2 uv, vec2 corner) {
 `
 
 /**
- * Declares `vec2 furrowCornerOf(float instance)` for vertex shaders. It returns the corner of an instance's cell in the atlas. Instances have
- * consecutive cells, row by row. The `#ifndef` is needed because the default mode and relief may both add this code to one shader.
+ * Declares `vec2 furrowCornerOf(float instance)` for vertex shaders. It returns the centre of the first texel of an instance's cell, in atlas
+ * coordinates (0..1). Instances have consecutive cells, row by row. The `#ifndef` is needed because the default mode and relief may both add
+ * this code to one shader.
  */
 export const CORNER_OF_INSTANCE = /* glsl */ `
 #ifndef FURROW_CORNER

@@ -28,7 +28,7 @@ export interface ShaderVariant extends NormalLayers {
  * Patches a fragment shader to mix the maps of layers into the maps of the material before lighting. The formulas are `mixNormals` and
  * `mixValues` of the reference implementation, without the final normalisation. Supports the shaders of three.js, even if the page edits them,
  * and other shaders that read the normal map in the same way, such as MToon. In shaders that are not from three.js, only normals are mixed.
- * Such a shader may read its other maps before it computes the texture coordinates of the normal map, which mixing needs.
+ * Mixing needs the texture coordinates of the normal map, and such a shader may read its other maps before it computes them.
  *
  * @throws Error if the shader does not read its normal map in the same way as three.js.
  */

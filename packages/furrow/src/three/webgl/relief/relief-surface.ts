@@ -13,15 +13,18 @@ export interface ReliefVariant {
   /** Channel of the height texture. */
   channel: number
   isInstanced: boolean
-  /** Onset maps of the layers, if any. `levels` is `log2(a / b)`, where `a` is the width of onset maps and `b` the width of height maps. */
+  /**
+   * Onset maps of the layers, if any. `levels` is added to the mipmap level of height maps to get the mipmap level of onset maps. It is
+   * `log2(a / b)`, where `a` is the width of onset maps and `b` the width of height maps.
+   */
   onset?: ValueLayers & { levels: number }
 }
 
 /**
  * Returns GLSL with functions for the vertex shader. They place the vertices of a dense geometry, i.e. a geometry with split triangles, on the
  * deformed triangles of the original mesh, and displace them by height maps. The reference implementation is `displace` in src/relief.
- * `furrowIsDense` returns false for other geometries. Vertices at one position read the same numbers in the same order, so their results are
- * bit-identical, and the surface has no cracks.
+ * `furrowIsDense` returns false for other geometries. Copies of a vertex at a seam read the same numbers in the same order. Their displaced
+ * positions are therefore bit-identical, and the surface has no cracks.
  */
 export function reliefFunctions({ heights, channel, isInstanced, onset }: ReliefVariant): string {
   const displacement = heights.map(

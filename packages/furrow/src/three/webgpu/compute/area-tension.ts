@@ -16,8 +16,8 @@ const PER_AREA = 2
 
 /**
  * Measures on the GPU how much the skin under each area of wrinkles is compressed and stretched. The result is a mean over the triangles
- * under the area. Each triangle is weighted by its size at rest times the area's weight. The result is read back asynchronously, and arrives
- * one or two frames later.
+ * under the area. Each triangle is weighted by its coverage, i.e. its surface area at rest times the area's weight at its centroid. The result
+ * is read back asynchronously, and arrives one or two frames later.
  */
 export class AreaTension {
   /**

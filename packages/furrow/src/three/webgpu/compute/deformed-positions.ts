@@ -12,8 +12,8 @@ import { coordinates, copyNumbers, targetOffsets } from '../../sources/geometry-
 import { Buffers, computePass, padToVec4, typedBuffer } from './buffers.ts'
 
 /**
- * Vertex positions of a mesh after blendshapes and optional skinning, computed on the GPU. For each vertex, the shader loops only over the
- * blendshapes that move it, so memory and time depend on the number of moved vertices.
+ * Vertex positions of a mesh after blendshapes and optional skinning, computed on the GPU. A buffer lists, for each vertex, only the
+ * displacements by blendshapes that move the vertex. Memory and time are therefore proportional to the number of nonzero displacements.
  */
 export class DeformedPositions {
   /** Positions of all vertices in the mesh's local space (xyz). */

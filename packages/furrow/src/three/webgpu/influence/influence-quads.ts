@@ -18,7 +18,7 @@ export const quadMaterials: QuadMaterials = {
       forceSinglePass: true,
     })
   },
-  // Unlike a WebGL context, a lost WebGPU device is never restored. The page must then create a new renderer.
+  // Contents are lost only with the WebGPU device. Unlike a WebGL context, a lost device is never restored: the page must create a new renderer.
   hasContents: () => true,
 }
 

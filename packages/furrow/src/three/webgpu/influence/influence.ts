@@ -69,7 +69,7 @@ function isWithin(uv: Node<'vec2'>, bounds: Node<'vec4'>): Node<'bool'> {
   return uv.greaterThanEqual(bounds.xy).all().and(uv.lessThanEqual(bounds.zw).all())
 }
 
-/** Returns the corner of an instance's cell in the atlas, 0..1. Instances have consecutive cells, row by row. */
+/** Returns the centre of the first texel of an instance's cell, in atlas coordinates (0..1). Instances have consecutive cells, row by row. */
 function cornerOf({ grid, inset }: ShaderInputs, instance: Node<'float'>): Node<'vec2'> {
   const { x: columns, xy: size, z: first } = inputUniform<'vec3'>(grid)
   const cell = first.add(instance)

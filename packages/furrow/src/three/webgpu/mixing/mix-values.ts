@@ -1,7 +1,7 @@
 /**
  * TSL that mixes the value maps of layers (base colour, roughness, occlusion, blood) into the maps of a material. The formulas are those of
  * the GLSL in `webgl/`, and of the reference implementation in `core/reference`. The code avoids `select`, which TSL compiles to a branch. On
- * a software rasteriser, one branch adds a tenth to the time that a face without wrinkles needs.
+ * a software rasteriser, one branch takes a tenth of the time that the same face takes without wrinkles.
  */
 import { max, mix, step, vec3 } from 'three/tsl'
 import type { Node } from 'three/webgpu'
