@@ -14,7 +14,7 @@ function blendMeshes(document: Document): { mesh: Mesh; names: string[] }[] {
     })
 }
 
-/** Renames blendshapes. `rename` receives the same index for equal names on several meshes. */
+/** Renames blendshapes. `rename` receives a name, and its index among the different names of all meshes. */
 export function renameTargets(document: Document, rename: (name: string, index: number) => string): void {
   const all = [...new Set(blendMeshes(document).flatMap(({ names }) => names))]
   for (const { mesh, names } of blendMeshes(document)) {
@@ -47,7 +47,7 @@ export function keepTargets(document: Document, isKept: (name: string) => boolea
   }
 }
 
-/** Makes all nodes children of a new node with a scale or rotation. A negative scale mirrors the scene. */
+/** Makes the scene's root nodes children of a new node with a scale or rotation. A negative scale mirrors the scene. */
 export function placeScene(
   document: Document,
   { scale, rotation }: { scale?: [number, number, number]; rotation?: [number, number, number, number] },

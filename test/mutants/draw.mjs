@@ -71,7 +71,7 @@ function drawRoom(room, folders, count) {
   const taken = []
   while (taken.length < count) {
     const [mutant] = all.splice(Math.floor(random() * all.length), 1)
-    // Takes at most one mutant among equal lines, because equal lines have equal mutants.
+    // Takes at most one mutant per line, and counts equal lines of a file as one line, because they have equal mutants.
     if (taken.every(({ file, line }) => file !== mutant.file || line !== mutant.line)) taken.push(mutant)
   }
   return taken.sort((a, b) => (a.file < b.file ? -1 : a.file > b.file ? 1 : 0))

@@ -27,7 +27,7 @@ export interface FoundMutant extends Mutant {
 
 const SOURCES = ['packages/furrow/src', 'packages/cli/src', 'packages/files/src']
 
-/** Locates each mutant in its file, or in the only other file that contains the line. */
+/** Locates each mutant in its file, or else at the only equal line of all sources. Mutants without exactly one such line are lost. */
 export function findMutants(
   mutants: readonly Mutant[],
   root: string,

@@ -13,7 +13,7 @@ import { createVitest } from 'vitest/node'
 
 const ROOT = fileURLToPath(new URL('../../', import.meta.url))
 const CONFIG = join(ROOT, 'test/mutants/vitest.config.ts')
-/** Time added to six times the usual duration of a run, seconds. A mutant that exceeds this limit has an endless loop and counts as killed. */
+/** The time limit of a run is six times the usual duration plus this number of seconds. A mutant that exceeds the limit counts as killed. */
 const PATIENCE = 60
 
 const { values } = parseArgs({
@@ -54,7 +54,7 @@ function textOf({ mutants, ...others }) {
   return `${JSON.stringify({ ...others, mutants: [] }, null, 2).replace('[]', () => `[\n${lines.join(',\n')}\n  ]`)}\n`
 }
 
-/** Returns the ids of mutants whose line is no longer in the sources. */
+/** Returns the ids of mutants that cannot be located in the sources. */
 async function findLost() {
   const { module } = await runnerImport(join(ROOT, 'test/mutants/instrument.ts'))
   const { lost } = module.findMutants(list.mutants, ROOT)
@@ -93,7 +93,7 @@ function secondsOf(tests) {
   return tests.reduce((sum, { seconds }) => sum + seconds, 0)
 }
 
-/** Returns the test files that fail with a mutant, or all test files if the run exceeds the time limit. */
+/** Returns the files of `tests` that fail with a mutant, or all files of `tests` if the run crashes or exceeds the time limit. */
 async function failing({ id }, tests) {
   process.env.FURROW_MUTANT = String(id)
   vitest ??= await createVitest('test', { config: CONFIG, root: ROOT, watch: false, reporters: [{}] })

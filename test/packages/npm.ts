@@ -38,7 +38,7 @@ export const DEPENDENCIES = {
   oldestBabylon: ['babylon-oldest', 'babylon-loaders-oldest'].map((name) =>
     devDependencies[name].replace('npm:', ''),
   ),
-  // Only test applications use these packages.
+  // The repository's package.json does not list these packages, because only test applications use them.
   webpack: 'webpack@5.112.2',
   esbuild: 'esbuild@0.28.2',
 }
@@ -86,8 +86,8 @@ export async function createApp(
 }
 
 /**
- * Runs a package with `npx` without installing it. npx would run a package that an earlier call left in npm's cache. So this function uses a
- * temporary cache, which shares only downloads with the usual cache.
+ * Runs a package with `npx` without installing it. From npm's usual cache, npx could run an older build of a tarball with the same name. So
+ * this function uses a temporary cache, which shares only downloads with the usual cache.
  *
  * @param tarball path of the package, relative to the folder.
  */

@@ -91,12 +91,15 @@ export function expectSameUnlit(drawn: Drawn, other: Drawn): void {
   }
 }
 
-/** Checks the batch and the lit pictures. Lit pictures are compared with the same release's smooth face, because light varies by release. */
+/**
+ * Checks the batch and the lit pictures. Compares the lit pictures with wrinkles with the one without wrinkles of the same release, because
+ * light varies by release.
+ */
 export function expectAllFeatures(drawn: Drawn, other: Drawn): void {
   const { result: batch, warnings } = drawn.batch
   expect(largestDifference(batch, other.batch.result), 'batch').toBeLessThanOrEqual(2)
   const sides = (['left', 'right'] as const).map((side) => halfOf(batch, side))
-  expect(largestDifference(sides[0]!, sides[1]!), 'the face that wrinkles').toBeGreaterThan(30)
+  expect(largestDifference(sides[0]!, sides[1]!), 'difference of the instances').toBeGreaterThan(30)
   expect(warnings).toEqual([])
   const { off, ...modes } = drawn.light.result
   for (const [mode, picture] of Object.entries(modes))

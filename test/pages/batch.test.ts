@@ -56,7 +56,7 @@ function outputs(folder: string): string[] {
 }
 
 describe('a batch', () => {
-  it('processes every input once, skips failures, and retries only changed inputs', async () => {
+  it('processes every input once, collects failures, and repeats only inputs whose output was deleted', async () => {
     const folder = await inputs('whole', 3)
     await cp(join(folder, 'in/0.glb'), join(folder, 'in/copy.glb'))
     await writeFile(join(folder, 'in/broken.glb'), 'text')
@@ -213,7 +213,7 @@ describe("a batch's downloads", () => {
     check()
   })
 
-  it.each(['SIGINT', 'SIGKILL'] as const)('are private, and deleted after %s', async (signal) => {
+  it.each(['SIGINT', 'SIGKILL'] as const)('are in a private folder, and deleted after %s', async (signal) => {
     const { folder, tmp, others, check } = await trap(`web ${signal}`)
     const { url, close } = await serve(face, false)
     const child = startFurrow(folder, { TMPDIR: tmp }, 'batch', url, ...options, '--thumbnails', '0')
@@ -404,7 +404,7 @@ describe('the results page', () => {
     }
     await order.selectOption({ label: 'failures first' })
     expect(await filesOf(page)).toBe(FIRST)
-    // The page keeps a focused control visible, so remove the focus.
+    // Without a focus, Tab starts at the first control. It must skip the column buttons, which are hidden on a phone.
     await page.evaluate(() => (document.activeElement as HTMLElement).blur())
     for (const name of ['show', 'order']) {
       await page.keyboard.press('Tab')

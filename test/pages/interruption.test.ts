@@ -9,7 +9,10 @@ import { AUTO_STEPS } from 'furrow/internal'
 import { afterAll, beforeAll, describe, expect, it } from 'vitest'
 import { startFurrow } from './run-furrow.ts'
 
-/** Number of interruptions per command (default: few), and name of the only command to test. `npm run interrupt` sets both. */
+/**
+ * Number of interruptions per command (default: 4, or 2 if the command starts a browser), and name of the only command to test.
+ * `npm run interrupt` sets both.
+ */
 const { FURROW_MOMENTS, FURROW_COMMAND } = process.env
 const MOMENTS = FURROW_MOMENTS === undefined ? undefined : Number(FURROW_MOMENTS)
 

@@ -96,7 +96,7 @@ function testWrinkles(open: ExampleOpener['open'], example: Example): void {
     }))
 }
 
-/** Sets controls of an example. Returns its picture after all effects have ended. */
+/** Sets controls of an example. Returns the picture a minute later, when transitions and delays have ended. */
 export async function setControls(page: Page, controls: Controls): Promise<CanvasPixels> {
   for (const [name, value] of Object.entries(controls)) {
     if (value === true) await page.locator('form').getByText(name, { exact: true }).dispatchEvent('click')

@@ -17,7 +17,10 @@ export async function openPaused(page: Page, url: string): Promise<void> {
   await page.waitForSelector('canvas')
 }
 
-/** Resizes a page and waits for the event. Otherwise, a frame at the old size could start relief, and relief would stay on. */
+/**
+ * Resizes a page and waits for the event. Otherwise, a frame at the old size could show the face large enough for relief, and the next frames
+ * would keep the split triangles.
+ */
 export async function resize(page: Page, size: { width: number; height: number }): Promise<void> {
   await page.evaluate(() => {
     const heard = new Promise((resolve) => addEventListener('resize', resolve, { once: true }))
@@ -95,7 +98,7 @@ export async function readNextFrame(page: Page): Promise<CanvasPixels> {
   return readCanvas(page)
 }
 
-/** Contrast above which a picture shows a face. A background alone has less. */
+/** Contrast, 0..255, above which a picture shows a face. A background alone has less. */
 const FACE_CONTRAST = 50
 
 /** Advances the page's clock until the face is drawn, so that every run draws the same picture. */

@@ -30,7 +30,7 @@ afterAll(() => rm(folder, { recursive: true, force: true }))
 /** Options of most pictures. Relief takes seconds to prepare, so only some pictures have it. */
 const FLAT = { width: 200, height: 152, relief: 'off' } as const
 const SURPRISED = { ...FLAT, expression: 'surprised' } as const
-/** Size at which a millimetre of skin is wider than a pixel. */
+/** Size at which a millimetre of skin is wider than a pixel, so relief appears by default. */
 const NEAR = { width: 480, height: 360 }
 const HAPPY = { ...FLAT, expression: 'happy' } as const
 
@@ -122,7 +122,7 @@ describe('pictures of furrow render', () => {
     expect(largestDifference(opaque('webgl plain'), opaque('webgl off'), WHOLE)).toBeLessThanOrEqual(2)
   })
 
-  test('show all maps of a wrinkle set', () => {
+  test('show a wrinkle set with onset, occlusion and height maps, only in its area', () => {
     expect(drawn.get('webgl set')!.warnings).toEqual([])
     const [left, right] = [
       { ...FOREHEAD, left: 0.51 },
@@ -165,7 +165,7 @@ describe('pictures of furrow render', () => {
   test('show a surface moved by the heights of a set if relief is on', () => {
     const [flat, raised] = [opaque('webgl set'), opaque('webgl relief')]
     expect(drawn.get('webgl relief')!.warnings).toEqual([])
-    // The set has no heights on the chin, so relief changes no byte there.
+    // The set has no area on the chin, so relief changes no byte there.
     expect(largestDifference(raised, flat, FOREHEAD)).toBeGreaterThan(3)
     expect(largestDifference(raised, flat, CHIN)).toBe(0)
   })
@@ -191,7 +191,10 @@ describe('pictures of furrow render', () => {
   }
 })
 
-/** Writes a wrinkle set with one area on the left half of the forehead, driven by one blendshape, with occlusion, onset and heights. */
+/**
+ * Writes a wrinkle set with one area on the left half of the forehead, driven by one blendshape, with onset and heights, and with occlusion of
+ * strength 0.
+ */
 async function writeSet(): Promise<string> {
   const own = join(folder, 'set')
   await cp(join(ROOT, 'faces/human'), own, { recursive: true })

@@ -24,9 +24,9 @@ const SOON = { timeout: 60_000 }
 
 /** Members that these tests add to the page's window. */
 interface Ending {
-  /** Ends all workers with this name and sends no event, like a browser that is out of memory. Returns the number of workers. */
+  /** Ends all workers whose URL contains `name` and sends no event, like a browser that is out of memory. Returns the number of workers. */
   endWorker(name: string): number
-  /** Ends the next worker with this name as soon as it starts. */
+  /** Ends the next worker whose URL contains `name` as soon as it starts. */
   endNextWorker(name: string): void
   lost: WEBGL_lose_context
 }

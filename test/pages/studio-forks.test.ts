@@ -25,7 +25,7 @@ const texture = () =>
     .locator('canvas')
     .first()
 
-/** Chooses one of the last lines. The last line is number 1. */
+/** Chooses a line, counted from the end of the list: 1 is the last line. */
 async function choose(fromEnd: number): Promise<void> {
   const count = await lines().locator('option').count()
   await lines().selectOption({ index: count - fromEnd })
@@ -131,7 +131,7 @@ test('a fork is dragged by touch', async () => {
   await button(page, 'Undo').click()
 })
 
-test('a fork is moved by the keyboard, in one step per key', async () => {
+test('a fork is moved by the keyboard, with one undo step per key press', async () => {
   await choose(2)
   await forks().focus()
   for (const _ of [1, 2, 3]) await page.keyboard.press('Shift+ArrowDown')

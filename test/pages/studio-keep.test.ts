@@ -173,14 +173,14 @@ function readProject(): Promise<Record<string, string>> {
   })
 }
 
-test('a hand-made folder of wrinkles can be edited, and lines get the size of its maps', async () => {
+test('a hand-made folder of wrinkles can be edited, and a line can be drawn over its normal map', async () => {
   await page.reload()
   await waitUntilReady(page)
   await dropPaths(page, [join(folder, 'wrinkles')], 'Face')
   await button('Edit wrinkles').click()
   await button('Edit wrinkles').waitFor({ state: 'detached' })
   expect(await areas()).toEqual(['everywhere'])
-  // Draws a line over the folder's normal map. This map must have the size of the other maps.
+  // The studio draws the normal map again, with the line. The new map must have the size of the folder's other maps.
   await page.getByRole('heading', { name: 'Lines' }).waitFor()
   await page.locator('label', { hasText: /^Draw$/ }).click()
   const { x, y, width, height } = (await page.locator('#viewport').boundingBox())!

@@ -156,7 +156,7 @@ test('sets a blendshape', async () => {
   expect(await value()).toBe('1')
 })
 
-test('picks an area, renames it, and changes its layer and how it overlaps', async () => {
+test('picks an area, renames it, and changes how it overlaps', async () => {
   await backTo(/^Edit area/)
   const name = (await focused()).name
   await press('ArrowDown', 'ArrowUp', 'Space')
@@ -275,7 +275,7 @@ test('removes an area, and the next one gets the focus', async () => {
   expect(next).not.toBe(first)
 })
 
-test('dismisses a message, and the focus returns', async () => {
+test('dismisses a message, and the focus is not lost', async () => {
   file = 'model.fbx'
   await backTo('Open…')
   await press('Enter')

@@ -35,7 +35,7 @@ let page: Page
 
 const area = (name: string) => page.getByRole('slider', { name, exact: true })
 
-/** Vertical positions of the forehead's wrinkle lines and of the chin, as fractions of the stage's height from the top. */
+/** Vertical positions of the forehead's wrinkle lines and of the chin, as fractions of the viewport's height from the top. */
 export interface Heights {
   forehead: number
   chin: number
@@ -244,7 +244,7 @@ async function rendered(face: string, mode: string): Promise<Buffer> {
     .toBuffer()
 }
 
-/** Region of the stage in fractions of the viewport: left, top, right, bottom. */
+/** Region in fractions of the viewport's width and height: left, top, right, bottom. */
 type Box = [number, number, number, number]
 
 function boxAround(x: number, y: number): Box {

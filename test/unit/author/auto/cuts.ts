@@ -55,9 +55,9 @@ export type UvTransform = (u: number, v: number) => readonly [number, number]
 
 /** Shrinks the layout, to leave space around it. */
 export const shrink: UvTransform = (u, v) => [0.1 + 0.8 * u, 0.1 + 0.8 * v]
-/** Rotates the left half of a shrunk layout by 180 degrees. Texel centres of 512 x 512 maps stay at the same points of the skin. */
+/** Rotates the left half of a shrunk layout by 180 degrees. In a map of 512 x 512, texel centres move to texel centres. */
 export const halfTurn: UvTransform = (u, v) => [280 / 512 - u, 1 - v]
-/** Rotates the left half of a shrunk layout by 90 degrees, and halves its size. */
+/** Rotates the left half of a shrunk layout by 90 degrees, and scales it by 0.45. */
 export const quarterTurn: UvTransform = (u, v) => [0.05 + 0.45 * (0.9 - v), 0.9 - 0.45 * (u - 0.1)]
 
 /**

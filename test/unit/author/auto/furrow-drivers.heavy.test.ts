@@ -18,7 +18,7 @@ import { FACES, prepareFace } from './faces.ts'
 
 type Pose = Readonly<Record<string, number>>
 
-/** Triangles to sample per area. `ALL` gives an accurate mean. `FEW` is the number that tension drivers use on the CPU. */
+/** Triangles to sample per area. `ALL` gives an accurate mean compression and stretch. `FEW` is the number that tension drivers use on the CPU. */
 const [ALL, FEW] = [4096, 16]
 const POSES = 60
 
@@ -125,7 +125,7 @@ describe.each(FACES)('fine furrows of %s', (_, path) => {
         sampled: byTension(few(pose)),
       }
       for (const [i, { name, driver }] of areas().entries()) {
-        // The driver's curve maps the fraction of the surface area that the skin loses.
+        // The curve gives the activation for the fraction of surface area that the skin loses: about compression minus stretch.
         const exact = curveAt(driver.curve, measured[2 * i] - measured[2 * i + 1])
         for (const by of ['blendshapes', 'tension', 'sampled'] as const)
           squares[by] += (found[by][name] - exact) ** 2
