@@ -36,7 +36,10 @@ export class Window {
     return this.browser.evaluate(body)
   }
 
-  /** Draws the page's scene with and without wrinkles. Returns the largest difference in a region, and the picture's contrast. */
+  /**
+   * Draws the page's scene with and without wrinkles. Returns the largest difference in a region, and the contrast (maximum minus minimum) of
+   * the picture with wrinkles. Both are for the red channel, 0..255.
+   */
   compareWrinkles(region: Region): Promise<{ difference: number; contrast: number }> {
     return this.evaluate(`return furrowTest.compareWrinkles(${JSON.stringify(region)})`)
   }
@@ -125,7 +128,7 @@ export class Window {
   }
 }
 
-/** Messages that are ignored: performance hints of the graphics driver, and warnings of three.js about missing extensions. */
+/** Messages that are ignored: performance hints of the graphics driver, and warnings of three.js about missing extensions or missing WebGPU. */
 const NOT_OURS = /GL Driver Message|extension not supported|WebGPU is not available/
 
 /** Opens a window for all tests in the current `describe`. Pages must not log warnings or errors. */

@@ -37,7 +37,7 @@ const AREAS = ['brow', 'cheek', 'chin', 'eye', 'nose']
 /** Small valid files that the fuzzer damages. Each has features that the others lack. */
 export interface Bases {
   faces: Map<string, Buffer>
-  /** Bytes by path: the input files of `furrow pack` except the face, and a strokes document. */
+  /** Bytes by path: the input files of `furrow pack` without the face, plus a strokes document. */
   folder: Map<string, Buffer>
   strokes: Buffer
   array: Buffer
@@ -166,7 +166,7 @@ const STROKES = {
   areas: [{ name: 'brow', shapes: [{ group: 'brow', radius: 6, feather: 8 }] }],
 }
 
-/** Makes a PNG of noise, because tools may store an image of one colour in another way. */
+/** Makes a PNG of noise. An image of a single colour would be a special case, because tools may store it differently. */
 function picture(seed: number, channels: 1 | 3): Promise<Uint8Array> {
   const data = Uint8Array.from({ length: channels * SIDE * SIDE }, (_, i) => (i * 37 + seed * 101) % 251)
   const image = sharp(data, { raw: { width: SIDE, height: SIDE, channels } })

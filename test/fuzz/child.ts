@@ -142,8 +142,8 @@ process.on('uncaughtException', (error: NodeJS.ErrnoException) => {
 })
 
 /**
- * Returns the errors of the Khronos validator, or undefined if the validator fails. Its promise rejects for damaged JSON.
- * For damaged images, the validator throws outside of the promise, and the promise may never settle.
+ * Returns the errors of the Khronos validator, or undefined if the validator fails. For damaged JSON, the promise of `validateBytes` rejects.
+ * For damaged images, the validator throws outside of this promise, and the promise may never settle.
  */
 async function errorsOf(path: string): Promise<string[] | undefined> {
   const bytes = new Uint8Array(readFileSync(path))

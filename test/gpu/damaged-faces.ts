@@ -105,7 +105,7 @@ const DAMAGES: Record<string, Damage> = {
   },
   'some bytes changed': damageBytes,
   'header changed': randomFirst(damageHeader),
-  'something else': (_, random) => random.pick(OTHERS),
+  'replaced by another file': (_, random) => random.pick(OTHERS),
 }
 
 const OTHERS = [
@@ -123,7 +123,9 @@ function damage(original: Uint8Array, random: Random): { bytes: Uint8Array; how:
   const { byteOffset = 0, byteLength } = glb.json.bufferViews![image.bufferView!]
   const before = Buffer.from(glb.bin.subarray(byteOffset, byteOffset + byteLength))
   const damages =
-    image.mimeType === 'image/ktx2' ? { ...DAMAGES, 'numbers changed': randomFirst(damageKtx2) } : DAMAGES
+    image.mimeType === 'image/ktx2'
+      ? { ...DAMAGES, 'KTX 2 fields changed': randomFirst(damageKtx2) }
+      : DAMAGES
   const how = random.pick(Object.keys(damages))
   const writer = new BufferViewWriter(glb)
   image.bufferView = writer.add((damages as typeof DAMAGES)[how]!(before, random))

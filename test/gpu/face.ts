@@ -75,7 +75,7 @@ export function uvMaterial(harness: Harness): Material {
   return material
 }
 
-/** Copies the skin's material. The copy's normal map includes the wrinkles. */
+/** Copies the skin's material. The copy's normal map includes the wrinkles of the first layer at full influence. */
 export function wrinkledMaterial(plain: MeshStandardMaterial, set: WrinkleSet): MeshStandardMaterial {
   const combined = combineNormals(readTexture(plain.normalMap!, 'test'), set.layers[0].normal)
   const material = plain.clone()

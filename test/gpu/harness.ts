@@ -98,7 +98,10 @@ export function harnessOn(name: RendererName): Harness {
   return harness
 }
 
-/** Creates a square that fills the frame. `uv = (x, 1 - y) * scale + offset`, v pointing down as in glTF. */
+/**
+ * Creates a square that fills the frame. `uv = (x, 1 - y) * scale + offset`, where x and y rise from 0 at the lower left corner to 1. So v points
+ * down as in glTF.
+ */
 export function square(material: Material, scale = 1, offset = [0, 0]): Mesh {
   const geometry = new PlaneGeometry(2, 2)
   const uv = [0, 0, 1, 0, 0, 1, 1, 1].map((value, i) => value * scale + offset[i % 2])

@@ -124,7 +124,7 @@ describe('RecomputedNormals on WebGPU', () => {
     expect(found.at(-1)).toBeLessThan(0.01)
   })
 
-  it('leaves rotation to the skeleton, and restores normals when the weights return to 0', async () => {
+  it('ignores the rotation of joints, and restores normals when the weights return to 0', async () => {
     const { geometry } = ball()
     const { count } = geometry.attributes.position
     geometry.setAttribute('skinIndex', new Float32BufferAttribute(new Float32Array(4 * count), 4))
@@ -163,7 +163,7 @@ describe('RecomputedNormals on WebGPU', () => {
     normals.dispose()
   })
 
-  it('computes only after changes', () => {
+  it('does not compute again while the weights are unchanged', () => {
     const mesh = ball()
     const normals = new RecomputedNormals(mesh)
     const { compute } = renderer.info as unknown as { compute: { calls: number } }
@@ -210,7 +210,7 @@ describe('RecomputedNormals on WebGPU', () => {
     const normals = new RecomputedNormals(skin)
     normals.update(renderer)
     expect(skin.geometry.morphAttributes.normal).toBeUndefined()
-    // One pixel in a thousand may differ, because a pixel on an edge may take the colour of either triangle.
+    // One channel value in a thousand may differ, because a pixel on an edge may take the colour of either triangle.
     const [found, changes] = [await draw(), largestDifference(uncorrected, expected)]
     expect(changes).toBeGreaterThan(40)
     expect(found.filter((value, i) => Math.abs(value - expected[i]) > 2).length).toBeLessThan(

@@ -98,7 +98,7 @@ async function colourErrors(harness: Harness, random: () => number, first: Wrink
     const texel = (layer: number) => [0, 1, 2].map((c) => reference.sampleArray(colours, u, v, layer, c))
     const albedo = texel(DIFFUSE).map(toLinear)
     const lit = [SMOOTH, WRINKLED].map((layer) => {
-      // These normals are in the axes of the scene. In the material, v points down, and the negative scale negates y.
+      // y points up in the scene, because in the material v points down and the scale of y is negative.
       const [x, y, z] = reference.unpackNormal(texel(layer))
       const normal = new Vector3(x * normalScale, y * normalScale, z).normalize()
       const irradiance = Math.max(0, normal.dot(from)) * sun + ambient

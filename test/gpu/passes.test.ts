@@ -169,7 +169,7 @@ describe.each(['webgl', 'webgpu on webgl2'] as const)('the influence map on %s',
     harness.dispose()
   })
 
-  it('restores the scene when no wrinkles are left', async () => {
+  it('restores onBeforeRender of the scene when no wrinkles are left', async () => {
     const harness = await createHarness(name)
     const { scene, wrinkles } = sceneOf(harness)
     const own = () => {}
@@ -199,7 +199,7 @@ describe.each(['webgl', 'webgpu on webgl2'] as const)('the influence map on %s',
     harness.dispose()
   })
 
-  it('is drawn once per image for all faces, also with shadows and reflections', async () => {
+  it('is drawn once per frame for all faces, even if the frame has shadows and several images', async () => {
     const harness = await createHarness(name)
     const { renderer } = harness
     const { scene, wrinkles } = sceneOf(harness)

@@ -112,7 +112,7 @@ function exactTension(mesh: Mesh, rest: ArrayLike<number>, weigh: (centroid: num
   return { compression: compression / sum, stretch: stretch / sum }
 }
 
-/** Computes the tension along a direction of the texture in float64. On the sheet, u and v equal x and y. */
+/** Computes the tension along a direction of the texture in float64. On the sheet, u and v increase along x and y. */
 function exactTensionAlong(mesh: Mesh, rest: ArrayLike<number>, direction: [number, number]): number {
   const triangles = mesh.geometry.index!.array
   const step = new Vector3(...direction, 0).normalize()
@@ -133,7 +133,7 @@ function exactTensionAlong(mesh: Mesh, rest: ArrayLike<number>, direction: [numb
   return stretch / sum
 }
 
-/** Creates a skinned sheet. A joint rotates and scales the upper half. */
+/** Creates a skinned sheet. A joint rotates and scales the sheet. The weight of the joint rises from 0 at the lower edge to 1 at the upper edge. */
 function skinnedSheet(): SkinnedMesh {
   const geometry = sheet(12)
   const { position } = geometry.attributes

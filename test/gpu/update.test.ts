@@ -76,7 +76,8 @@ describe.each(RENDERERS)('wrinkles that change while shown, on %s', (name) => {
   }
 
   /**
-   * Expects GPU textures that equal those of new wrinkles with the same set. Mipmaps from the CPU and from the GPU may differ by 1.
+   * Expects GPU textures that equal those of new wrinkles with the same set. Mipmaps may differ a little, because some are computed on the CPU and
+   * others on the GPU.
    *
    * @param by renderer that has drawn the wrinkles.
    */
@@ -89,7 +90,7 @@ describe.each(RENDERERS)('wrinkles that change while shown, on %s', (name) => {
       for (let slice = 0; slice < depth; slice++) {
         for (let level = 0; level < levels; level++) {
           const [own, others] = [texture, wanted[i]].map((each) => readLevel(by, each, slice, level))
-          // For levels that are halved in only one direction, mipmaps from the CPU and from the GPU differ by up to 22.
+          // Mipmaps from the CPU and from the GPU differ by rounding, and by up to 22 for levels that are halved in only one direction.
           const isHalvedTwice = Math.min(width, height) >> (level - 1) > 1
           const tolerance = level === 0 ? 0 : isHalvedTwice ? 2 : 32
           expect(largestDifference(await own, await others)).toBeLessThanOrEqual(tolerance)
@@ -105,7 +106,7 @@ describe.each(RENDERERS)('wrinkles that change while shown, on %s', (name) => {
     const { mesh, wrinkles } = faceOf(set)
     let before = await picture(mesh)
     for (let i = 0; i < 4; i++) {
-      // Changes the part of the texture that an area covers, and thus the area's rectangle. The last area has another size and is resampled.
+      // Changes the part of the texture that an area covers, and thus the area's rectangle. The last weights have another size and are resampled.
       const index = i % 2
       const weights =
         i === 3 ? randomWeights(random, 40) : cropped(randomWeights(random, AREA), 3 * i, 14 - i)

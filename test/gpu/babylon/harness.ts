@@ -131,7 +131,10 @@ function redrawInfluence({ materials }: Scene): void {
   }
 }
 
-/** Creates a square that fills the frame. `uv = (x, 1 - y) * scale + offset`, v pointing down as in glTF. */
+/**
+ * Creates a square that fills the frame. `uv = (x, 1 - y) * scale + offset`, where x and y rise from 0 at the lower left corner to 1. So v points
+ * down as in glTF.
+ */
 export function square(scene: Scene, scale = 1, offset = [0, 0]): Mesh {
   const mesh = new Mesh('square', scene)
   const data = new VertexData()

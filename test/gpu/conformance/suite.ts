@@ -60,7 +60,7 @@ export function testSamples(
     await opened.dispose()
   })
 
-  it.each(missing)('%s stays plain', async (name) => {
+  it.each(missing)('%s gets no wrinkles', async (name) => {
     const opened = await open(name)
     expect(opened.isWrinkled).toBe(false)
     await opened.dispose()

@@ -16,7 +16,7 @@ import { harnessOn, RENDERERS } from '../harness.ts'
 import { distances, fractionWithin, type Outline, outlineOf, projectedOutline } from './outline.ts'
 import { bandedFace, displacedSkin, type RaisedFace } from './raised-face.ts'
 
-/** Width of a picture of the complete head. Distances are in pixels of this picture; outlines are drawn at twice the size. */
+/** Width of a picture of the complete head, pixels. The first test draws outlines at twice this width, and converts distances to pixels of this width. */
 const PIXELS = 1600
 const FINE = 2 * PIXELS
 
