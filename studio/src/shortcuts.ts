@@ -28,8 +28,8 @@ export const SHORTCUTS = {
   },
   polygon: {
     close: { keys: ['Enter'], label: 'Close the polygon' },
-    back: { keys: ['Backspace'], label: 'Take the last point back' },
-    clear: { keys: ['Escape'], label: 'Take the polygon back' },
+    back: { keys: ['Backspace'], label: 'Remove the last point' },
+    clear: { keys: ['Escape'], label: 'Discard the polygon' },
   },
   lines: {
     remove: { keys: ['Delete', 'Backspace'], label: 'Delete the point or the line that is chosen' },

@@ -211,8 +211,8 @@ export class Studio {
   }
 
   /**
-   * Opens the model of the link in the URL's hash. Without such a model, opens the shipped face that the query names (`?face=human-2`), or the
-   * first shipped face. `?renderer=webgpu` chooses the renderer.
+   * Opens the model of the link in the URL's hash. If there is none or if it cannot be opened, opens the shipped face that the query names
+   * (`?face=human-2`), or the first shipped face. `?renderer=webgpu` chooses the renderer.
    */
   async start(): Promise<void> {
     this.#loading.show('Listing faces')
@@ -251,7 +251,7 @@ export class Studio {
       .attempt(() => this.#view.show(viewer, drawn))
       .then(async () => {
         const isOther = wasPlain === !!viewer.wrinkles
-        // Framing reads all blendshapes and blocks the page, so let the browser handle pending events first.
+        // Fitting the face into the view reads all blendshapes and blocks the page, so let the browser handle pending events first.
         if (isOther) await nextTask()
         if (isOther && viewer === this.#viewer) this.#host.orbit?.frame()
         this.#face.refresh()

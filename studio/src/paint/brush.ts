@@ -5,9 +5,10 @@ export const BRUSH_MODES = ['add', 'remove', 'smooth', 'fill'] as const
 export type BrushMode = (typeof BRUSH_MODES)[number]
 
 /**
- * Settings of a brush. A brush stroke is a series of dabs (imprints of the brush). The stroke starts with the coverage 0 at each texel. Each
- * dab has the target `opacity * falloff * pressure`. If the target exceeds the coverage, the coverage moves by the fraction `flow` towards it. A stroke that crosses itself
- * therefore never exceeds its opacity.
+ * Settings of a brush. A brush stroke is a series of dabs (imprints of the brush). The coverage of a texel, 0..1, tells how far the stroke
+ * has moved the texel's weight towards 255 or 0 (see `covered`). It starts at 0. Each dab has the target `opacity * falloff * pressure`. If the
+ * target exceeds the coverage, the coverage moves by the fraction `flow` towards the target. A stroke that crosses itself therefore never
+ * exceeds its opacity.
  */
 export interface Brush {
   mode: BrushMode
@@ -15,7 +16,7 @@ export interface Brush {
   radius: number
   /** Width of the soft edge as a fraction of the radius, 0..1. */
   softness: number
-  /** Each dab adds this fraction of the missing coverage, above 0, up to 1. */
+  /** Fraction of the difference between target and coverage that each dab adds to the coverage, above 0, up to 1. */
   flow: number
   /** Maximum coverage, 0..1. */
   opacity: number
@@ -49,7 +50,7 @@ function rangeError(setting: string, value: unknown, limit: string): FurrowError
   return new FurrowError({
     code: 'out-of-range',
     who: 'Studio',
-    problem: `${setting} of the brush out of range`,
+    problem: `the ${setting} of the brush is out of range`,
     value,
     limit,
     remedy: 'choose a value in this range',

@@ -8,7 +8,7 @@ import { Reach } from './reach.ts'
 import { Smoother } from './smoother.ts'
 import { type Sight, VisiblePlaces } from './visible-places.ts'
 
-/** Margin of the search beyond the radius, texels. A texel beyond a UV island can be inside the radius although its triangle is outside. */
+/** Margin of the search beyond the radius, texels. A texel beyond a UV island can be inside although its paired triangle is outside. */
 const PAD = 1
 /** Minimum radius in texels, so that the brush covers at least one texel. */
 const MIN_RADIUS = 1.25
@@ -20,8 +20,8 @@ const MIN_CELL = 1.5
 const CELLS_AROUND = 2
 
 /**
- * Applies dabs (imprints of a brush) to the weights of an area. A dab covers the skin that is connected with its centre inside its
- * radius. So a dab on one lip does not paint the other lip. UV seams have no effect.
+ * Applies dabs (imprints of a brush) to the weights of an area. A dab covers the skin inside a sphere. Paths over the skin must connect it with
+ * the sphere's centre without leaving the sphere, so that a dab on one lip does not paint the other lip. UV seams have no effect.
  *
  * In the code, a place is a pair of a texel and a triangle that contains it; see `PaintMapArrays`.
  */
@@ -146,7 +146,7 @@ export class Dabs {
     }
   }
 
-  /** Changes the weights towards their local means. */
+  /** Changes the weights towards local means: means over a few cells of the smoothing grid (`CELL`). */
   #smooth(centres: readonly SkinPoint[]): void {
     const { texels, positions, isBeyondIsland, texelSizes } = this.#map
     for (const centre of centres) {

@@ -46,9 +46,9 @@ export function paintMapArrays(
     throw new FurrowError({
       code: 'out-of-range',
       who: 'Studio',
-      problem: 'width of a painted area',
+      problem: 'the width of a painted area is invalid',
       value: size,
-      limit: `${least} to ${most} texels`,
+      limit: `a whole number, ${least} to ${most} texels`,
       remedy: 'resample the area',
     })
   }
@@ -90,7 +90,7 @@ export function checkPaintable({ width, height, data }: GrayImage): void {
   if (width === height && data.length === width * height) return
   throw new FurrowError({
     who: 'Studio',
-    problem: 'a painted area is not square',
+    problem: 'a painted area is not square, or its data is incomplete',
     value: `${width} x ${height} texels, ${data.length} bytes`,
     remedy: 'resample the area',
   })

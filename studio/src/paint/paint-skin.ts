@@ -16,15 +16,15 @@ export interface SkinPoint {
 /**
  * Makes the surface of a skin at rest: its triangles, with positions in millimetres. The middle plane of a face is at x = 0.
  *
- * @param scale millimetres per unit of the skin's positions; by default estimated from the distance between the eyes.
- * @throws FurrowError if the skin has no triangles.
+ * @param scale millimetres per unit of the skin's positions. Default: the scale that `skinSurface` estimates.
+ * @throws FurrowError if the skin has only degenerate triangles or none, or if the scale is out of range.
  */
 export function paintSurface(skin: Skin, scale?: number): SkinSurface {
   const { surface, scale: measured } = skinSurface(skin)
   if (surface.corners.length === 0) {
     throw new FurrowError({
       who: 'Studio',
-      problem: 'no triangle of the mesh has an area that could be painted',
+      problem: 'the mesh has no triangles, or only degenerate ones',
       value: `${Math.floor(skin.indices.length / 3)} triangles`,
       remedy: 'check the mesh in the program that made it',
     })
@@ -33,7 +33,7 @@ export function paintSurface(skin: Skin, scale?: number): SkinSurface {
     throw new FurrowError({
       code: 'out-of-range',
       who: 'Studio',
-      problem: 'millimetres per unit of the mesh',
+      problem: 'the number of millimetres per unit of the mesh is invalid',
       value: scale,
       limit: 'above 0',
       remedy: 'give 1000 for a mesh in metres',

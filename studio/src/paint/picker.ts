@@ -17,7 +17,7 @@ import type { PaintSkin, SkinPoint } from './paint-skin.ts'
 import type { MeshSkin } from './read-skin.ts'
 import type { Sight } from './visible-places.ts'
 
-/** Depth tolerance of visibility tests, as a fraction of the size of the skin. */
+/** Depth tolerance of visibility tests, as a fraction of the diagonal of the skin's bounding box. */
 const DEPTH_TOLERANCE = 1e-3
 
 /** Point of the skin under the pointer. */

@@ -31,9 +31,9 @@ const MAX_POINTS = 1000
  * `feather / 2` outside it. Polygons in `strokes.json` have the same soft outline.
  *
  * The polygon and the points of the skin are projected along the polygon's mean normal. A point is inside if its projection is inside the
- * projected polygon and the skin connects the point with the outline. Unlike a flood fill, this test cannot leak between the lips. It fails
- * only for a polygon around the back of the head, but users cannot draw one in a single view. Distances to the outline are straight, not
- * measured over the skin.
+ * projected polygon, and if a chain of adjacent triangles that are also inside leads from the outline to the point. Unlike a flood fill, this
+ * test cannot leak between the lips. It fails only for a polygon around the back of the head, but users cannot draw one in a single view.
+ * Distances to the outline are straight, not measured over the skin.
  *
  * @param points at least three, in order.
  * @param sight visibility test. Without it, hidden skin is painted too.
@@ -226,8 +226,13 @@ function check(points: readonly SkinPoint[], { feather, opacity }: PolygonBrush)
   }
   if (points.length < 3) fail('a polygon has too few points', points.length, 'at least 3', 'add points')
   if (!(feather >= 0 && feather <= MAX_FEATHER)) {
-    fail('feather of a polygon', feather, `0 to ${MAX_FEATHER} mm`, 'choose a value in this range')
+    fail(
+      'the feather of a polygon is out of range',
+      feather,
+      `0 to ${MAX_FEATHER} mm`,
+      'choose a value in this range',
+    )
   }
   if (!(opacity >= 0 && opacity <= 1))
-    fail('opacity of a polygon', opacity, '0 to 1', 'choose a value in this range')
+    fail('the opacity of a polygon is out of range', opacity, '0 to 1', 'choose a value in this range')
 }

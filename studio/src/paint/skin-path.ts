@@ -2,7 +2,7 @@ import { crossOf, dot, type SkinSurface } from 'furrow/internal'
 import type { SkinPoint } from './paint-skin.ts'
 import { cross, distanceBetween } from './vectors.ts'
 
-/** A path is at most `MAX_DETOUR * distance + MAX_DETOUR_OFFSET` millimetres long. Longer paths are detours, for example into the mouth. */
+/** Longest path: `MAX_DETOUR` times the straight distance plus `MAX_DETOUR_OFFSET` mm. Longer ones are detours, for example into the mouth. */
 const MAX_DETOUR = 2
 const MAX_DETOUR_OFFSET = 1
 /** Fraction by which each end is moved towards the centroid of its triangle, so that the plane of the path intersects the triangle. */

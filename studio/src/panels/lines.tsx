@@ -63,7 +63,7 @@ const HINTS: Record<LineMode | 'chosen' | 'fork', string> = {
   off: 'Every wrinkle is a line: edit those that are there, or draw your own.',
   edit: 'Click a line on the face, or choose it above.',
   chosen: 'Drag a point to move it. Shift+click or double-click adds one, Delete removes it.',
-  fork: 'A diamond is a fork: it moves all lines that meet there.',
+  fork: 'A diamond is a fork: dragging it moves all lines that meet there.',
   draw: 'Draw on the skin. Drag beside the face to turn it.',
 }
 
@@ -164,7 +164,7 @@ function Membership({ group, layer, isNew, groups, layers, editor, attempt }: Me
           value={layer}
           onChange={({ currentTarget }) => attempt(() => editor.setLayer(currentTarget.value))}
         >
-          {isNew && <option value="">That of the area</option>}
+          {isNew && <option value="">The layer of the area</option>}
           {layers.map((name) => (
             <option key={name} value={name}>
               {name}
@@ -193,12 +193,12 @@ function Operations({ editor, attempt }: ControlsProps) {
     ['Mirror', 'Adds its mirror image', () => editor.mirror()],
     [
       'Detach',
-      'Separates it from the line that it ends on',
+      'Shortens the line where it ends on another line',
       () => editor.detach(),
       editor.attachedEnds.value.length === 0,
     ],
     ['Delete line', '', () => editor.removeLine()],
-    ['Delete point', 'The chosen one', () => editor.remove(), !hasPoint(editor)],
+    ['Delete point', 'Removes the chosen point', () => editor.remove(), !hasPoint(editor)],
   ]
   return (
     <fieldset class="grid lines-actions" aria-label="Chosen line">

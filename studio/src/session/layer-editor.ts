@@ -21,7 +21,7 @@ import type { Session } from './session.ts'
 
 /** Default height difference between black and white in an imported height map, metres. */
 const HEIGHT_AMPLITUDE = 0.002
-/** Default amplitude of an imported blood map. With this default, white is a clearly visible flush. */
+/** Default `bloodAmplitude` (optical depth) of an imported blood map. With this default, white is a clearly visible flush. */
 const BLOOD_AMPLITUDE = 0.3
 
 export interface BakeRun {
@@ -106,8 +106,8 @@ export class LayerEditor {
   }
 
   /**
-   * Bakes a sculpt (a detailed model of the wrinkled face) into the normal map of a layer. The map also contains the details of smooth skin, so
-   * the layer's kind becomes `replace`. Cancels a running bake.
+   * Bakes a sculpt (a detailed model of the wrinkled face) into the normal map of a layer. The map then shows pores as well as wrinkles, so the
+   * layer's kind becomes `replace`. Cancels a running bake.
    */
   bake(name: string, sculpt: File): void {
     this.cancelBake()

@@ -41,7 +41,7 @@ export class Saving {
    * a key, because browsers open the folder dialog only then.
    *
    * @param isOtherFolder whether to ask for another folder.
-   * @returns the folder name, or null if none was chosen. Rejects with a FurrowError if writing fails.
+   * @returns the folder name. Null if the user chose no folder or no document is open. Rejects with a FurrowError if writing fails.
    */
   async toFolder(isOtherFolder: boolean): Promise<string | null> {
     const known = isOtherFolder ? null : this.#folder.peek()

@@ -9,7 +9,7 @@ import type { Session } from './session.ts'
 /** Row in the list of the skin's blendshapes. */
 export interface ShapeRow {
   readonly name: string
-  /** Recognised meaning, or undefined if it is outdated. */
+  /** Recognised meaning. Undefined if it was a correction that the artist has removed since the last recognition. */
   readonly recognised: RecognisedShape | undefined
   /** Meaning that the artist chose: an ARKit name, or null for "none of these". Undefined without a correction. */
   readonly correction: string | null | undefined

@@ -162,7 +162,10 @@ export class Workspace {
     if (work) await this.exporting.start(work, options)
   }
 
-  /** Waits until all maps are drawn. Returns null if no document is open. If drawing fails, reports the error to `onError` and returns null. */
+  /**
+   * Draws all maps of the document, and returns the document with its maps. Returns null if no document is open. If drawing fails, reports the
+   * error to `onError` and returns null.
+   */
   async drawnWork(): Promise<DrawnWork | null> {
     await this.#draw()
     const [drawn, avatar] = [this.#drawn.peek(), this.#avatar]
@@ -194,7 +197,7 @@ export class Workspace {
     this.#maps.prepare(stroke)
   }
 
-  /** Shows automatic wrinkles at a small size without changing the document. If several calls wait, only the last one takes effect. */
+  /** Shows automatic wrinkles with small maps, without changing the document. If several calls wait, only the last one takes effect. */
   previewAuto(chosen: AutoSettings): Promise<void> {
     const settings = this.#withCorrections(chosen)
     this.#settings.value = settings

@@ -11,7 +11,7 @@ interface SliderProps {
   onInput(dial: Dial, value: number): void
   /** Called with the dial when the mouse enters its label, and with null when the mouse leaves. */
   onHover?(dial: Dial | null): void
-  /** Whether the dial is related to the item under the pointer. */
+  /** Whether to highlight the row, because a driver connects the dial with the area or blendshape under the pointer. */
   linked?: boolean
   isHidden?: boolean
   before?: ComponentChildren
@@ -34,7 +34,7 @@ export function Slider({
   const [start, side] = splitSide(dial.name)
   const input = useRef<HTMLInputElement>(null)
   const output = useRef<HTMLOutputElement>(null)
-  // `useSignalEffect` would wait for the next frame.
+  // `useSignalEffect` would wait for the next frame, and the slider would first show an old value.
   useLayoutEffect(() => {
     return effect(() => {
       frame.value

@@ -29,9 +29,9 @@ interface CurveEditorProps {
   outputs: Range
   /** Current input of the curve, or null if unknown. */
   now: ReadonlySignal<number | null>
-  /** Called while a point moves. */
+  /** Called for each change of the curve. */
   onMove(curve: Curve): void
-  /** Called when a point is released. */
+  /** Called after the last change of a gesture, for example when a point or an arrow key is released. */
   onRest(): void
 }
 

@@ -22,7 +22,7 @@ export interface Drivable {
   /** Blendshapes of the current pose with their weights, 0..1. Empty in the neutral pose. */
   readonly pose: ReadonlyMap<string, number>
   readonly targets: readonly string[]
-  /** Joints, parents first. */
+  /** Each joint of the face with its parent (`from`). The list is sorted: parents come before their children. */
   readonly joints: readonly (readonly [from: string, joint: string])[]
   /** Returns both ends of a default muscle for the driver's area, in metres. Returns null if the area covers no vertex of the skin. */
   muscle(): { readonly origin: Vector; readonly insertion: Vector } | null
