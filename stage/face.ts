@@ -8,7 +8,7 @@ import { GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 export interface Face {
   /** Scene of the file, with skin, eyes, teeth and lashes. */
   root: Object3D
-  /** Mesh with wrinkles. */
+  /** Mesh that has wrinkles in the file, or that callers can give wrinkles. */
   skin: Mesh
   /** Other primitives of the skin's glTF mesh that have the skin's material. GLTFLoader makes a mesh from each of them. */
   parts: Mesh[]

@@ -44,7 +44,10 @@ export interface Stage {
     loaded: Pick<LoadedWrinkles, 'set' | 'drivers'>,
     options?: WrinklesOptions,
   ): Wrinkles
-  /** Moves the camera to a view of the face, and rotates the lights so that they light its front. Returns the point that the camera looks at. */
+  /**
+   * Moves the camera to a view of the face. Rotates the lights so that they light the front of the face; the `light` of a close-up adds to this
+   * rotation. Returns the point that the camera looks at.
+   */
   view(view: ViewName | Required<FaceView> | CloseUp): Vector3
   /** @param pixelRatio device pixels per CSS pixel. */
   resize(width: number, height: number, pixelRatio?: number): void
@@ -55,7 +58,7 @@ export interface Stage {
 /**
  * Creates a stage that draws on a canvas.
  *
- * @throws Error if the browser has neither WebGPU nor WebGL 2.
+ * @throws Error if the browser has no WebGL 2. With kind `webgpu`, WebGPU suffices.
  */
 export async function createStage(canvas: HTMLCanvasElement, kind: RendererKind): Promise<Stage> {
   const renderer =

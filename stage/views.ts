@@ -35,7 +35,7 @@ export interface FramedFace {
   front: number
 }
 
-/** Positions the camera for a close-up. Parameters are those of `frameView`. */
+/** Positions the camera for a close-up. `face` and `camera` are as in `frameView`. */
 export function frameCloseUp(
   face: Object3D,
   camera: PerspectiveCamera,

@@ -97,7 +97,10 @@ function nameIn(chunks: typeof CHUNKS, path: string): string | null {
 
 const eager = new Map<string, boolean>()
 
-/** Whether an entry imports a module statically, directly or through other modules. The recursion ends, because the library has no circular imports. */
+/**
+ * Whether an entry imports a module statically, directly or through other modules. The recursion ends, because the library has no circular
+ * imports.
+ */
 function isEager(id: string, graph: Graph): boolean {
   const known = eager.get(id)
   if (known !== undefined) return known

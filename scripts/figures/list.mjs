@@ -66,7 +66,7 @@ const FLUSHES = [
   { ...both('noseSneer'), ...both('browDown', 0.8) },
 ]
 
-/** Returns one row per skin colour. Each row shows each expression twice: without and with the blood map of the wrinkles. */
+/** Returns one row per skin colour. Each row shows each expression twice: without and with blood maps. */
 const bloodOfSkins = () =>
   Object.keys(SKINS).flatMap((skin) =>
     FLUSHES.flatMap((targets, i) =>

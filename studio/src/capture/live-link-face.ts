@@ -7,7 +7,7 @@ import { parseTimecode, secondsSinceFirst, type Timecode } from './timecode.ts'
 export interface Capture {
   /** File name without extension. */
   readonly name: string
-  /** Seconds since the first frame, strictly increasing; at least two. */
+  /** Times of at least two frames, seconds since the first frame, strictly increasing. */
   readonly times: Float32Array
   /** Weights of each blendshape at `times`, 0..1. The keys are blendshape names as in the file. */
   readonly weights: ReadonlyMap<string, Float32Array>
@@ -16,7 +16,7 @@ export interface Capture {
 /** Maximum file size in bytes, characters per line, and frames (over half an hour at 60 fps). */
 const MAX = { bytes: 128 * 2 ** 20, line: 65_536, frames: 120_000 } as const
 const SEPARATORS = [',', ';', '\t'] as const
-/** Columns with rotations of the head and the eyes. The reader skips these columns. Blendshapes already contain the gaze. */
+/** Skipped columns: rotations of the head, which stays still, and of the eyes, whose motion the blendshapes already contain. */
 const ROTATION = /^(Head|LeftEye|RightEye)(Yaw|Pitch|Roll)$/i
 
 /**

@@ -31,7 +31,10 @@ export function addEmptyArea(document: StudioDocument, name: string): StudioDocu
   return addArea(document, { name, layer: layers[0].name, combine, activation: 0, weights })
 }
 
-/** Removes an area and the drivers that activate it. Drivers that read the area lose that input. */
+/**
+ * Removes an area, its shapes in `strokeAreas`, and the drivers that activate it. Drivers that read the area lose that input. Strokes whose
+ * group has the name of the area stay.
+ */
 export function removeArea(document: StudioDocument, name: string): StudioDocument {
   findNamed(document.areas, name, 'area')
   return {

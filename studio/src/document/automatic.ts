@@ -70,7 +70,8 @@ export function automaticDocument(
  */
 export function remake(document: StudioDocument, made: StudioDocument): StudioDocument {
   const painted = new Set(document.areas.flatMap(({ name, isAutomatic }) => (isAutomatic ? [] : name)))
-  // If the artist has edited one stroke of a group, keep all strokes of the group. New strokes would cross it, and forks would come apart.
+  // If the artist has edited one stroke of a group, keep all strokes of the group. Otherwise new strokes would cross the edited stroke, and the
+  // strokes of a fork would no longer meet.
   const keptGroups = new Set(
     document.strokes.flatMap(({ isAutomatic, group }) =>
       !isAutomatic || (group !== undefined && painted.has(group)) ? [group] : [],
@@ -82,7 +83,7 @@ export function remake(document: StudioDocument, made: StudioDocument): StudioDo
     ...kept,
     ...made.strokes.filter((stroke) => !stays(stroke) && !painted.has(stroke.group ?? '')),
   ]
-  // The automatic area around kept strokes stays, because new areas surround new strokes.
+  // An automatic area stays if it surrounds kept strokes. A new area would surround the new strokes instead.
   const keptAreas = document.areas.filter(
     ({ name }) => painted.has(name) || kept.some((stroke) => isInGroupOf(stroke, name)),
   )
@@ -151,8 +152,9 @@ function hasOwnMaps({ maps, isBloodAutomatic }: StudioLayer): boolean {
 }
 
 /**
- * Joins the layers of two documents. Keeps each layer of `document` that an area or stroke uses, or that has imported images. Replaces only its
- * automatic blood map, by that of `made`. Then appends layers of `made` that are used and have new names.
+ * Joins the layers of two documents. Keeps each layer of `document` that an area or stroke uses, or that has imported images. If `made` has a
+ * layer with the same name, takes the blood map and the setting `isOnsetDrawn` from it, but keeps imported blood and onset maps. Then appends
+ * layers of `made` that are used and have new names.
  */
 function joinedLayers(
   document: StudioDocument,
@@ -190,7 +192,7 @@ function copyBlood(
   }
 }
 
-/** Lets the onset map of `layer` be drawn if that of another layer is, unless `layer` has an imported one. */
+/** Sets `isOnsetDrawn` of `layer` if the first layer has it set. Does nothing if `layer` has an imported onset map. */
 function drawOnset({ isOnsetDrawn }: StudioLayer, layer: StudioLayer): StudioLayer {
   return isOnsetDrawn && !layer.maps.onset ? { ...layer, isOnsetDrawn } : layer
 }

@@ -15,8 +15,8 @@ export function findNamed<T extends Named>(items: readonly T[], name: string, ki
     who: 'Studio',
     problem: `no such ${kind}`,
     value: name,
-    limit: items.map((each) => each.name).join(', ') || 'there is none',
-    remedy: 'name one of these',
+    limit: items.map((each) => each.name).join(', ') || 'none',
+    remedy: items.length > 0 ? 'name one of these' : 'add one first',
   })
 }
 

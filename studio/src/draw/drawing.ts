@@ -77,7 +77,7 @@ export class Drawing {
     )
   }
 
-  /** Lets the idle worker prepare the edit of a stroke. Null cancels the preparation. Ignores unknown strokes. */
+  /** Lets the worker prepare for edits of a stroke while it has no other work. Null cancels the preparation. Ignores unknown strokes. */
   async prepare(stroke: LayerStroke | null): Promise<void> {
     const index = stroke ? (this.#sheets.get(stroke.layer)?.strokes.indexOf(stroke) ?? -1) : -1
     if (stroke && index < 0) return

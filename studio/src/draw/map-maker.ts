@@ -134,7 +134,7 @@ export class MapMaker {
   ): Promise<LayerMaps> {
     const own = await decoded(layer)
     if (strokes.length === 0 && hasNormals(own)) return fitMaps(own, this.#size)
-    // An empty onset map would differ from none: it makes areas begin faster.
+    // Without strokes, the onset map would be 0 everywhere. Wrinkles would then be deeper at the same influence than without an onset map.
     const isOnsetDrawn = layer.isOnsetDrawn === true && hasOnset(strokes)
     const changes = await drawing.draw(layer.name, strokes, {
       base: own.normal ?? null,

@@ -15,7 +15,7 @@ export interface DrawingSurface {
 
 /** Settings of a layer that is drawn from strokes. */
 export interface LayerSettings {
-  /** Normal map of the size `DrawingSurface.size` over which strokes are drawn, or null for flat normals. */
+  /** Normal map on which strokes are drawn, or null for flat normals. Its width and height are `DrawingSurface.size`. */
   readonly base: RgbaImage | null
   /** Whether to draw an onset map. */
   readonly hasOnset: boolean

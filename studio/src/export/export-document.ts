@@ -26,7 +26,7 @@ export interface ExportOptions extends TargetNames {
 
 /** File of a face with its wrinkles, and a report about the file. */
 export interface ExportedFace {
-  /** `.glb` file, also valid as `.vrm`. */
+  /** `.glb` file. If the face was a `.vrm`, it is also a valid `.vrm`. */
   bytes: Uint8Array
   /** Findings of `furrow validate`. */
   findings: Finding[]

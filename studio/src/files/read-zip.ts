@@ -25,7 +25,7 @@ const MISSING = 0xffffffff
 const ENCRYPTED = 1
 const UTF_8 = 0x800
 
-/** Lists the entries of an archive. Throws Error if the directory is damaged. */
+/** Lists the entries of an archive. Throws Error if the file is no .zip, its central directory is damaged, or an entry is encrypted. */
 export function* zipEntries(bytes: Uint8Array): Generator<ZipEntry> {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength)
   let { at, count } = listOf(view)

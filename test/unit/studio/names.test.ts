@@ -16,7 +16,7 @@ describe('names', () => {
     expect(() => findNamed(items, 'chin', 'area')).toThrow(
       'Studio: no such area, got "chin", allowed: brow, brow 2, nose; name one of these',
     )
-    expect(() => findNamed([], 'chin', 'area')).toThrow('there is none')
+    expect(() => findNamed([], 'chin', 'area')).toThrow('allowed: none; add one first')
   })
 
   it('replace the item with that name and keep the others', () => {
