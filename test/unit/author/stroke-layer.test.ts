@@ -64,7 +64,7 @@ describe('a layer of strokes', () => {
     const searches = (strokes: readonly Stroke[]) => searchesOf(() => layer.draw(strokes))
     layer.draw(bent(1))
     const first = searches(bent(0.8))
-    // The first change searches all lines in each texel. Later changes search only the changed line.
+    // The first change searches twice per texel: once for the other lines, and once for the changed line. Later changes skip the first search.
     expect(searches(bent(0.6))).toBe(first / 2)
     // After a change of another line, all lines are searched again.
     layer.draw(bent(0.6).slice(1))

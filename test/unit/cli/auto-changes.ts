@@ -138,7 +138,7 @@ function placeByNode(document: Document): void {
     .setTranslation([-0.07, 0.2, 0])
 }
 
-/** Converts the skin to centimetres. The inverse bind matrix of its only joint compensates this. Moving the node has no effect. */
+/** Converts the skin to centimetres. The inverse bind matrix of its only joint compensates this. Also moves the mesh's node, which glTF ignores. */
 export function placeBySkeleton(document: Document): void {
   const mesh = skinOf(document)
   const node = nodeOf(mesh)

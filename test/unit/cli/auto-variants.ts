@@ -47,7 +47,7 @@ export async function anyIO(): Promise<NodeIO> {
   return io
 }
 
-/** Reads the shipped face, or another file, without its wrinkles. */
+/** Reads the shipped face, or another file. Wrinkles are dropped, because `anyIO` does not know their extension. */
 export async function plainFace(path = HUMAN): Promise<Document> {
   return (await anyIO()).readBinary(new Uint8Array(readFileSync(path)))
 }

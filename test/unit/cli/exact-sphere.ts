@@ -23,7 +23,7 @@ const mix = (values: number[], { triangle, weights }: Place, of = (v: Vector, _:
     ),
   )
 
-/** Returns the tangent frame of glTF, interpolated between vertices. `tangent` makes a vertex's tangent from its position and normal. */
+/** Returns the tangent frame of glTF, interpolated between vertices. `sign` is -1 for mirrored UVs, else 1. `tangent` returns a vertex's tangent. */
 const vertexFrame =
   (sign: number, tangent: (p: Vector, n: Vector) => Vector): Frame =>
   (shape, place) => {
@@ -43,7 +43,7 @@ export const mikkFrame = (sign: number) =>
     return add([1, east], [-dot(east, n), n])
   })
 
-/** Frame that three.js computes in the shader for meshes without tangents. A pixel is a step of 0.2 to 0.3 mm on the triangle. */
+/** Frame that three.js computes in the shader for meshes without tangents. A pixel is a step of 0.02 to 0.11 mm on the triangle. */
 export const screenFrame: Frame = (shape, place) => {
   const [p0, p1, p2] = place.triangle.map((i) => corner(shape.positions, i)) as [Vector, Vector, Vector]
   const [s0, s1, s2] = place.triangle.map((i) => shape.uvs.slice(2 * i, 2 * i + 2)) as [
@@ -105,7 +105,10 @@ export async function readPixels(path: string) {
 /** Border of the texture to skip, 0..1. At the border, MikkTSpace averages over triangles of one side only. */
 const RIM = 0.05 + 0.9 / ROWS
 
-/** Returns the largest angle between a decoded normal map and the fine sphere, degrees. Tests every third texel in both directions. */
+/**
+ * Tests every third texel of a normal map in both directions. Returns the largest `angle` between a decoded normal and the fine sphere, and the
+ * largest angle by which a normal is `tilted` in its tangent frame, degrees.
+ */
 export async function worst(path: string, shape: Globe, frame: Frame) {
   const { values, width, full } = await readPixels(path)
   let angle = 0

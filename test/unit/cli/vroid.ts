@@ -121,7 +121,7 @@ export function toVRoid(document: Document, shapes = SHAPES): void {
   document.getRoot().listScenes()[0]!.addChild(document.createNode('Face').setMesh(face))
 }
 
-/** Copies an accessor, optionally turned by 180 degrees about the vertical axis. */
+/** Adds an accessor times `weight` to `out`, from vertex `first` on. `turned` rotates it by 180 degrees about the vertical axis. */
 function copy(
   source: Accessor,
   out: Float32Array,

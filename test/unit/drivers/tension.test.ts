@@ -85,7 +85,7 @@ function drive(
 describe('tension drivers', () => {
   const turn = new Matrix4().makeRotationFromEuler(new Euler(0.4, 1.2, -2)).setPosition(3, -1, 7)
 
-  it.each([1, 2, 5, 16, 40])('report 0.20 for a sheet of %d squares shortened by 20%% along x', (side) => {
+  it.each([1, 2, 5, 16, 40])('report 0.20 for %d squares per side, shortened by 20%% along x', (side) => {
     const shorten = (point: Vector3) => point.multiply(new Vector3(0.8, 1, 1))
     expect(measure(sheet(side), 'compression', shorten)).toBeCloseTo(0.2, 9)
     expect(

@@ -152,7 +152,7 @@ describe('a frame', () => {
     },
   )
 
-  it('runs all late members together when the first late member is drawn', () => {
+  it('runs together all members whose inputs may still change, when the first of them is drawn', () => {
     const all = recorded(['a', 'late', 'later'])
     for (const name of ['late', 'later']) all.entries[name].isLate = true
     const draw = early(all)
@@ -247,7 +247,7 @@ describe('instances', () => {
   })
 })
 
-it('age adds to the activation set for an area without other drivers, also before a VRM has expressions', () => {
+it('age adds to the value of setActivation in an area without other drivers, also before a VRM has expressions', () => {
   const { wrinkles, draw } = wrinklesOn(blendMesh())
   let found = 0
   const expressions = () => {
@@ -265,7 +265,7 @@ it('age adds to the activation set for an area without other drivers, also befor
   expect(found).toBe(1)
 })
 
-it('wrinkles know driven areas from the drivers alone', () => {
+it('before the first frame, isDriven is true for an area that another area drives, and false for age alone', () => {
   const { wrinkles } = wrinklesOn(blendMesh())
   const between: WrinkleDriver = {
     type: 'area',

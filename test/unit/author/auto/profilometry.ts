@@ -14,7 +14,7 @@ export const SCANNED_REGIONS = Object.keys(SCANNED) as ScannedRegion[]
 
 /** Profile of the wrinkles in a region, millimetres, as studies with profilometry report it. */
 export interface Profile {
-  /** Mean depth of the deepest tenth of all valleys, measured from the adjacent skin. */
+  /** Mean depth of the deepest tenth of all valleys, measured from the lower of the two crests beside a valley. */
   depth: number
   /** Median width of valleys at half depth. */
   width: number
@@ -29,7 +29,7 @@ interface Valley {
   spacing: number | undefined
 }
 
-/** Depth below which a valley counts as noise, as a fraction of the greatest depth. */
+/** Depth below which a valley counts as noise, as a fraction of the greatest depth in the height map. */
 const NOISE = 0.15
 /** Minimum area weight, 0..255, of the texels that belong to the region. */
 const WITHIN = 128

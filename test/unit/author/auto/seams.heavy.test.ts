@@ -61,8 +61,8 @@ describe.each(FACES)('%s, its texture cut in two at the middle', (_, path) => {
   })
 
   test('has the same heights as the uncut face', () => {
-    // In both layouts, texel centres are at the same points of the skin, so heights need no filtering. Only heights at the seam differ. The
-    // texel size determines the blur of valleys, and each vertex averages it over its triangles. At the seam, these are on one side only.
+    // In both layouts, texel centres are at the same points of the skin, so heights need no filtering. Only heights at the seam differ: valleys
+    // are rounded by the texel size, which is a mean over the triangles of a vertex. At the seam, these triangles are on one side only.
     let [atCut, elsewhere] = [0, 0]
     for (let texel = 0; texel < SIZE * SIZE; texel++) {
       const [column, row] = [texel % SIZE, Math.floor(texel / SIZE)]

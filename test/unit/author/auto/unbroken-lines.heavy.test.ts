@@ -14,8 +14,8 @@ const SMILE = { mouthSmileLeft: 1, mouthSmileRight: 1, cheekSquintLeft: 0.6, che
 const SIZE = 1024
 const AGE = 45
 /**
- * Largest turn of the shading, degrees, by number of vertices. A line looks broken if `BREAK` or more consecutive points, 0.5 mm apart, exceed
- * it. With 1500 vertices, a smile turns the triangle that covers the last 9 mm of the fold at the corner of the mouth.
+ * Largest angle between the shading of the mesh and of a smooth surface, degrees, by number of vertices. A line looks broken if `BREAK` or more
+ * consecutive points, 0.5 mm apart, exceed the angle. With 1500 vertices, one triangle covers the last 9 mm of the fold, and a smile turns it.
  */
 const TURNS = { 1500: 34, 2500: 19, 5000: 19 } as const
 const BREAK = 4
@@ -142,7 +142,7 @@ function frameOf([du, dv]: readonly Vector[], normal: Vector): [Vector, Vector] 
   return [scaled(tangent, 1 / longer), scaled(bitangent, 1 / longer)]
 }
 
-/** Returns the tilt of the normal in a texel, as a vector in space. The bitangent of the frame points along v. */
+/** Returns the tilt of the normal in a texel, as a vector in space. The bitangent points along v, and the y of a normal map against v. */
 function leanOf(map: Uint8Array, texel: number, [tangent, bitangent]: [Vector, Vector]): Vector {
   const [x, y] = [0, 1].map((k) => map[4 * texel + k] / 127.5 - 1)
   return plus(scaled(tangent, x), bitangent, -y)
