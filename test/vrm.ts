@@ -43,7 +43,10 @@ export function addMToon(json: Json, hasOutline = false): void {
   json.extensionsUsed.push('VRMC_materials_mtoon')
 }
 
-/** Adds an extension to all materials. Removes textures and attributes that MToon ignores, and tangents, with which MToon does not compile. */
+/**
+ * Gives all materials an extension, and removes their other extensions except wrinkles. Removes textures and attributes that MToon ignores, and
+ * tangents, with which MToon does not compile.
+ */
 function reduceToToon(json: Json, extension: object): void {
   for (const material of json.materials) {
     const { FURROW_wrinkle_maps } = material.extensions ?? {}

@@ -34,7 +34,7 @@ interface Shot {
 
 type Change = (document: Document) => unknown
 
-/** Bounds of the shipped face's skin. */
+/** Bounds of the shipped face's skin, metres. */
 const SKIN = { min: [-0.104, 0.62, -0.05], max: [0.104, 0.907, 0.17] }
 const MIDDLE = new Vector3().fromArray([0, 1, 2].map((k) => (SKIN.min[k]! + SKIN.max[k]!) / 2))
 
@@ -122,7 +122,7 @@ describe('only the head of an avatar with a body is framed:', () => {
       (d) => d.transform((d) => addBody(d, BODY_SHAPES), unname),
     ],
     ['with shapes of the mouth alone', (d) => d.transform((d) => addBody(d), only(/^(jawOpen|mouth)/))],
-    ['with one blink', (d) => d.transform((d) => addBody(d), only(/^eyeBlink/))],
+    ['with shapes of a blink alone', (d) => d.transform((d) => addBody(d), only(/^eyeBlink/))],
     ['without blendshapes', (d) => d.transform((d) => addBody(d), only(/^$/))],
     ['without blendshapes, as a VRM 0', asVrm0((d) => addBody(d), only(/^$/))],
     [

@@ -12,7 +12,7 @@ import type { StagePointer } from '../../../../studio/src/tools/stage-tool.ts'
 /** Point of a grid: its position in millimetres and its texture coordinates. */
 type GridPoint = readonly [x: number, y: number, z: number, u: number, v: number]
 
-/** Makes a mesh of grids of n x m squares. Each grid has its own vertices. Units are metres, as in glTF. */
+/** Makes a mesh of grids of n x m squares. Each grid has its own vertices. Converts the millimetres of `at` to metres, as in glTF. */
 export function meshOf(
   ...grids: readonly { n: number; m: number; at(i: number, j: number): GridPoint }[]
 ): Mesh<BufferGeometry, MeshStandardMaterial> {
