@@ -1,5 +1,8 @@
 /// <reference types="@webgpu/types" />
-/** Runs `frames`, which draws one or more frames. Returns their total time in milliseconds: GPU time, or elapsed time without timestamp queries. */
+/**
+ * Runs `frames`, which draws one or more frames. Returns their total GPU time in milliseconds, or the elapsed time if the GPU has no
+ * timestamp queries.
+ */
 export type Clock = (frames: () => void) => Promise<number>
 
 /** Maximum number of render passes timed together. WebGPU limits a query set to 4096 entries, and each pass needs two. */

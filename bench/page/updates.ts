@@ -59,7 +59,7 @@ export async function measureUpdates(
       const milliseconds = await time(change)
       if (round > 0) times[name as keyof typeof times].push(milliseconds)
     }
-    // `full` discards the mipmaps that `updateLayer` keeps on the CPU for rectangles. This untimed call creates them again.
+    // To update rectangles, `updateLayer` keeps mipmaps on the CPU. `full` discards them, and this untimed call creates them again.
     await time(changes.region)
   }
   wrinkles.dispose()

@@ -8,7 +8,7 @@ const UNSIGNED_SHORT = 5123
 /** Sampler with linear filtering, without mipmaps, clamped to the edge. */
 const SAMPLER = { magFilter: 9729, minFilter: 9729, wrapS: 33071, wrapT: 33071 }
 
-/** Number of rows and of columns of vertices in each mesh. Deformations need more vertices than the corners of the square. */
+/** Number of rows and of columns of vertices in each mesh. With four corner vertices only, a mesh would be too coarse to deform. */
 const ROWS = 5
 
 /** Encodes a sample file as .glb. Uses no library, because a library would reject or correct files that break rules. */

@@ -94,7 +94,10 @@ export function mapOf({ data, width, height }: RgbaImage, anisotropy = 1): DataT
   return map
 }
 
-/** Computes the influence in float64 at every pixel of a picture drawn with `uvMaterial`; NaN where no skin is visible. */
+/**
+ * Computes in float64 how strongly the wrinkles show (their influence, 0..1) at every pixel of a picture drawn with `uvMaterial`. The result
+ * is NaN where no skin is visible.
+ */
 export function referenceInfluence(
   uvs: Float32Array,
   set: WrinkleSet,

@@ -67,7 +67,10 @@ export class Drawing {
     return sheet === known ? patches.map(({ bounds }) => bounds) : null
   }
 
-  /** Sets the maps of a layer, which must contain the layer's strokes. The worker still draws the strokes, to be ready for edits. */
+  /**
+   * Sets the maps of a layer. The strokes must already be drawn in `maps`. The worker draws the strokes into its own copy of the maps, to be
+   * ready for edits.
+   */
   async adopt(layer: string, strokes: readonly Stroke[], maps: DrawnMaps): Promise<void> {
     const settings = { base: null, hasOnset: maps.onset !== undefined }
     this.#sheets.set(layer, { maps, strokes, settings })

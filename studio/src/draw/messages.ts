@@ -36,7 +36,7 @@ export interface MapPatch {
 export interface DrawingService {
   /** Sets the skin and the size of the maps. Removes all layers. */
   begin(surface: DrawingSurface): void
-  /** Adds or clears a layer. */
+  /** Adds a layer without strokes. Replaces a layer with the same name. */
   addLayer(name: string, settings: LayerSettings): void
   /** Draws the changed strokes of a layer, and returns the changed texels. */
   draw(name: string, changes: ListChanges<Stroke>): MapPatch[]

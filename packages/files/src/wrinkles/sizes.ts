@@ -1,4 +1,7 @@
-/** GPU memory of a texture in three encodings, bytes. For slices with up to four areas, see `areaSliceSizes`. */
+/**
+ * GPU memory of a texture in three encodings, bytes. A texture contains either a map (four channels) or the weights of
+ * an area (one channel). For slices of texture arrays, which contain up to four areas, see `areaSliceSizes`.
+ */
 export interface GpuSizes {
   /** Without compression: 4 bytes per texel of a map, 1 byte per texel of an area. */
   uncompressed: number
@@ -27,8 +30,8 @@ export function areaSizes(width: number, height: number): GpuSizes {
 }
 
 /**
- * Returns the sizes of a slice with up to four areas, one per channel. Compressed slices have 8 bits per texel. There
- * are no mipmaps.
+ * Returns the sizes of a slice of a texture array. The slice contains up to four areas, one per channel. Compressed
+ * slices have 8 bits per texel. There are no mipmaps.
  */
 export function areaSliceSizes(width: number, height: number): GpuSizes {
   const compressed = 16 * blocks(width, height)

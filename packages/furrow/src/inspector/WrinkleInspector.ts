@@ -15,9 +15,9 @@ const MODES: readonly WrinkleMode[] = ['default', 'composed', 'paper', 'off']
 const RELIEF_MODES: readonly ReliefMode[] = ['off', 'near', 'on']
 
 /**
- * A panel to inspect the wrinkles of one face. It lists the activation of each area and the inputs that drive the area. The page's user can
- * also choose a view, such as normals or strain, the shading mode and relief, and read the cost. The panel works with `WebGLRenderer` and
- * `WebGPURenderer`.
+ * A panel to inspect the wrinkles of one face. It lists the activation of each area and the inputs that drive the area. It shows the cost:
+ * the number of active areas, textures and triangles. The page's user can choose the shading mode, the relief mode, and a view (for example
+ * normals or strain). The panel works with `WebGLRenderer` and `WebGPURenderer`.
  *
  * The panel is a `GUI` of lil-gui in the top right corner of the page. It is removed when the wrinkles are disposed of.
  *

@@ -10,7 +10,10 @@ export interface DenseMesh {
   triangles: Uint32Array
   /** Triangles of each coarser version of the mesh. A version uses only some of the vertices. */
   coarser: Uint32Array[]
-  /** For each vertex, the three coarse vertices whose positions are interpolated. At a seam, these are the first vertices at their positions. */
+  /**
+   * For each vertex, the three coarse vertices whose positions are interpolated. Where a seam duplicates a coarse vertex, the copy with the
+   * lowest index is stored (see `firstOf`).
+   */
   parents: Uint32Array
   /**
    * For each vertex, the three coarse vertices whose shading normals and texture coordinates are interpolated. At a seam, these may differ
@@ -21,7 +24,7 @@ export interface DenseMesh {
   weights: Float32Array
   /** Two pairs of texture coordinates per vertex, which differ at a seam. A vertex is displaced by the mean of the heights at both. */
   uvs: Float32Array
-  /** Maps each coarse vertex to the first coarse vertex at the same position. */
+  /** Maps each coarse vertex to the coarse vertex with the lowest index at the same position. */
   firstOf: Uint32Array
   /** Target edge length in metres. It may be longer than requested, to limit the number of triangles. */
   edge: number
@@ -61,7 +64,7 @@ export class DenseBuilder {
   readonly #versions: Numbers<Uint32Array>[]
 
   /**
-   * @param firstOf maps each coarse vertex to the first coarse vertex at the same position.
+   * @param firstOf maps each coarse vertex to the coarse vertex with the lowest index at the same position.
    * @param versions number of versions of the mesh, including the finest version.
    */
   constructor(firstOf: Uint32Array, versions: number) {

@@ -12,7 +12,7 @@ const SAMPLES = 16
 export interface TensionSurface {
   /** Mesh in the rest pose. */
   sampled: SampledMesh
-  /** Pairs of area and direction that inputs measure, without duplicates. */
+  /** Area and direction of each driver input that reads tension, without duplicates. */
   measured: readonly MeasuredArea[]
 }
 
@@ -27,7 +27,7 @@ export interface MeasuredArea {
  * Collects the areas whose tension is measured, and computes how much each of these areas covers each triangle. For areas in compressed
  * textures, `covered` is empty.
  *
- * @param areaOf returns the area with a name, if there is one.
+ * @param areaOf returns the area called `name`, or undefined if it does not exist.
  */
 export function tensionSurface(
   sampled: SampledMesh,

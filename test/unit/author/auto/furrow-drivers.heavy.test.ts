@@ -137,7 +137,7 @@ describe.each(FACES)('fine furrows of %s', (_, path) => {
     expect(rms('sampled')).toBeGreaterThan(2 * rms('blendshapes'))
   })
 
-  test('tilt normals more than at rest on squeezed skin, and less on stretched skin', () => {
+  test('tilt normals more on squeezed skin, and less on stretched skin, than at rest', () => {
     const all = tension(ALL)
     const rest = tilts({})
     const seen = { squeezed: 0, pulled: 0 }

@@ -88,14 +88,15 @@ type NamedTarget = Omit<SkinTarget, 'offsets'>
 export function hintOfTarget({ name, expression, correction }: NamedTarget): NameHint | undefined {
   if (typeof correction === 'string') return hintOf(correction)
   const hint = hintOf(name) ?? (expression === undefined ? undefined : hintOf(expression))
-  // A correction of `null` means that no ARKit shape matches. The name can still tell that the target is a body shape, for example.
+  // A correction of `null` means that no ARKit shape matches, so a hint with ARKit shapes is wrong. A hint without shapes stays valid, for
+  // example the hint that the target changes the proportions of the body.
   return correction === null && hint && hint.shapes.length > 0 ? undefined : hint
 }
 
 /**
  * Returns the names by which drivers (functions of blendshape weights) find targets. A corrected target has the ARKit name of its correction.
- * Other targets that already have this name get a placeholder name, so that only the corrected target is found. Targets corrected to no
- * ARKit shape also get a placeholder name.
+ * Other targets that already have this name get a placeholder name, so that only the corrected target is found. Targets with the correction
+ * `null`, which match no ARKit shape, also get a placeholder name.
  */
 export function correctedNames(targets: readonly NamedTarget[]): string[] {
   const corrected = new Set(targets.map(({ correction }) => correction))

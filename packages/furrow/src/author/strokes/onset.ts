@@ -5,7 +5,7 @@ import type { Stroke } from './document.ts'
 import { isBulge, type LaidStroke, layOutStrokes, reachOf } from './lay-out.ts'
 import { LineGrid, type LineVisitor } from './line-grid.ts'
 
-/** Onset of the deepest point of a group of strokes. */
+/** Onset at the deepest point of a group of strokes. The onset is the influence, 0..1, at which a texel begins to wrinkle. */
 const ONSET_OF_DEEPEST = 0.04
 
 /**
@@ -14,12 +14,15 @@ const ONSET_OF_DEEPEST = 0.04
  */
 const ONSET_OF_ENDS = 128 / 255
 
-/** Constant added to the depth of a stroke to get its weight, so that strokes also have a weight at their ends. */
+/**
+ * Constant added to a stroke's relative depth. The sum is the stroke's weight in the mean onset of overlapping strokes. With the constant, the
+ * weight is above 0 even at the ends of a stroke, where the depth is 0.
+ */
 const LEAST_WEIGHT = 0.02
 
 /**
- * Whether a layer with these strokes gets an onset map. An onset map would also bend the response of bulges to their activation, so a layer
- * with bulges gets none.
+ * Whether a layer with these strokes gets an onset map. Bulges should rise in proportion to their influence. An onset map makes the rise
+ * nonlinear, even at onset 0, so a layer with bulges gets none.
  */
 export function hasOnset(strokes: readonly Pick<Stroke, 'depth'>[]): boolean {
   return strokes.length > 0 && !strokes.some(isBulge)

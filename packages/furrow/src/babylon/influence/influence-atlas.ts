@@ -20,7 +20,7 @@ const KEEP = -1
  * Texture atlas with the influence maps of all faces that share a wrinkle set. Each face has one cell. An influence map contains, for each
  * layer, the sum of `weight * activation` over the layer's areas. One draw call redraws all cells in which an activation has changed.
  *
- * Areas that combine by `max` are not added. A texel stores the larger of two values: the maximum over these areas, and the sum over all
+ * The sum leaves out areas that combine by `max`. A texel stores the larger of two values: the maximum over these areas, and the sum over all
  * other areas. The stored half float is not clamped. Shaders clamp to 1 after interpolation, like the reference implementation.
  */
 export class InfluenceAtlas implements InfluenceTarget<Scene> {

@@ -38,7 +38,10 @@ export class WrinkleMapsExtension implements IGLTFLoaderExtension {
     this.#transcoderPath = transcoderPath
   }
 
-  /** Loads the scene, and then adds the wrinkles. Babylon.js 8 waits for the promise of this method, but not for `onReady`. */
+  /**
+   * Loads the scene, and then adds the wrinkles. The loader's callback `onReady` is not used to add them, because Babylon.js 8 would not wait
+   * for its promise.
+   */
   async loadSceneAsync(context: string, scene: IScene): Promise<void> {
     await this.#loader.loadSceneAsync(context, scene)
     await this.#addAll()
@@ -116,7 +119,7 @@ function meshesOf({ _primitiveBabylonMeshes: meshes }: INode): readonly Abstract
   return meshes ?? []
 }
 
-/** Adapts the file of a loader to `GltfSource`. The chunk that decodes KTX 2 is imported when a file needs it. */
+/** Adapts the file of a loader to `GltfSource`. The KTX 2 decoder (`ktx2.ts`) is imported when a file needs it. */
 function fileOf(loader: GLTFLoader, transcoderPath: string | undefined): GltfSource {
   const { gltf } = loader
   const readBytes: GltfSource['readBytes'] = async (index, who) => {

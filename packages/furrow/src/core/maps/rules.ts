@@ -17,7 +17,10 @@ export interface MapProblem extends ErrorParts {
   rule: 'IMAGE_SIZE' | 'LAYER_SIZES' | 'MIXED_FORMATS' | 'KTX2_LAYOUTS' | 'NO_SLICE' | 'ARRAY_AS_IMAGE'
 }
 
-/** Kinds of maps that materials sample, with their slots and their names in errors. Height maps are not sampled by materials. */
+/**
+ * Maps that materials sample, grouped by kind. Keys are texture properties of a layer, and values are names for error messages.
+ * Height maps are left out, because materials do not sample them.
+ */
 const KINDS = {
   normal: { normalTexture: 'normal' },
   'base colour': { baseColorTexture: 'base colour' },

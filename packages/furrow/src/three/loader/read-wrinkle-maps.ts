@@ -23,7 +23,8 @@ type Parser = GLTF['parser']
 
 /**
  * Reads the glTF extension FURROW_wrinkle_maps from a file that `GLTFLoader` has loaded. Creates no `Wrinkles`; `WrinkleLoaderPlugin` reads
- * the extension and creates them. For VRM 0 files register the plugin too: it restores the extension, which three-vrm removes.
+ * the extension and creates them. For VRM 0 files, register `WrinkleLoaderPlugin` even if you only call this function: three-vrm removes the
+ * extension, and the plugin restores it.
  *
  * @param gltf result of the loader.
  * @param parser parser of the loader, default `gltf.parser`.

@@ -53,8 +53,8 @@ export interface ComposedFormat extends Size {
   level?: Level | undefined
   /**
    * Number of mip levels to draw. If it is 1 (default), only the finest level is drawn, and the GPU generates the other levels from it.
-   * Otherwise every level is mixed from the same level of the maps, as in the default mode. The results of the two methods differ by at most
-   * two 8-bit steps.
+   * If it is larger, each level is mixed from the same level of the layers' maps. The results of the two methods differ by at most two 8-bit
+   * steps.
    */
   levels?: number
 }

@@ -4,7 +4,7 @@ import { int, textureSize, uniform } from 'three/tsl'
 import { MaterialReferenceNode, type Node, type TextureNode } from 'three/webgpu'
 import { subBuild } from './newer-nodes.ts'
 
-/** Node type of a material property, by the type that three.js uses for the property. */
+/** Maps each property type of three.js' `MaterialReferenceNode` to the TSL type of the node's value. */
 interface PropertyNodes {
   float: 'float'
   vec2: 'vec2'
@@ -47,7 +47,7 @@ export function inputUniform<T extends string>(input: { readonly value: unknown 
   return typed(uniform(input.value as never, type as never).onObjectUpdate(() => input.value))
 }
 
-/** Channels of a `vec4` in the order of the layers. */
+/** Channels of a `vec4`. If a vector holds one value per layer, the value of layer i is in the channel `CHANNELS[i]`. */
 export const CHANNELS = ['x', 'y', 'z', 'w'] as const
 
 /** Returns the width and height of a texture's finest mipmap level, texels. */

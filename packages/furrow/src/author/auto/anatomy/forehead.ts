@@ -17,7 +17,7 @@ import {
 const MIDDLE = 4
 /** Half the width, in millimetres, of the transition between an inner and an outer area. */
 const HALVES = 9
-/** Width, in millimetres, of the margin around the folds in the patch that is flattened to a plane (see `SkinFilm.isFlattened`). */
+/** Distance, in millimetres, by which the flattened patch extends beyond the folds (see `SkinFilm.isFlattened`). */
 const BORDER = 8
 /** Range of heights above the brows, in millimetres. The compression fades in from the first to the second. */
 const LOWER_EDGE = [3, 13] as const

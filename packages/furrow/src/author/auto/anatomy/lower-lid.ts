@@ -4,7 +4,7 @@ import type { ChartPoint } from '../surface/head-chart.ts'
 import { DERMIS, dermisAt } from './dermis.ts'
 import { chartPointOf, type FaceContext, type FaceRegion, fade, type Side, type SkinFilm } from './region.ts'
 
-/** Distances below the centre of the eye, in millimetres. Folds fade in over the first range, and out over the second. */
+/** Distances below the centre of the eye, in millimetres. Downwards, folds fade in across `UPPER_EDGE`, and out across `LOWER_EDGE`. */
 const UPPER_EDGE = [9, 13] as const
 const LOWER_EDGE = [17, 27] as const
 /** Distances from each corner of the eye towards the middle of the eye, in millimetres. Folds fade in from the first to the second. */
@@ -12,9 +12,9 @@ const INNER_EDGE = [-1, 7] as const
 const OUTER_EDGE = [0, 8] as const
 /** Ratio of height to width of an oval around the eye. The folds follow its lower half. */
 const OVAL = 0.62
-/** Width, in millimetres, of the margin below and beside the folds in the patch that is flattened to a plane (see `SkinFilm.isFlattened`). */
+/** Distance, in millimetres, by which the flattened patch extends below and beside the folds (see `SkinFilm.isFlattened`). */
 const BORDER = 7
-/** Width, in millimetres, of this margin above the folds, on the lid. */
+/** Distance, in millimetres, by which the flattened patch extends above the folds, onto the lid. */
 const LID_BORDER = 2
 
 /** Returns the region below the lower lid: skin that the cheek and the ring muscle around the eye (orbicularis oculi) push up. */

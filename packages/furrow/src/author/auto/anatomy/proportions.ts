@@ -59,8 +59,9 @@ const MEASURES: readonly Measure[] = [
 ]
 
 /**
- * Typical angle, in radians, by which the skin above the eyes faces upwards. The line from eyes to mouth is vertical in face coordinates. The
- * angle of human heads is 0.16 to 0.4 (9 to 23 degrees). A smaller angle means that the mouth protrudes.
+ * Typical angle, in radians, by which the skin above the eyes faces upwards: 0.16 to 0.4 in human heads (9 to 23 degrees). In face
+ * coordinates, the line from eyes to mouth is vertical. If the mouth protrudes, these coordinates therefore tilt the head forwards, and the
+ * angle is smaller.
  */
 const LEAN = 0.24
 // Box of the skin above the eyes, in millimetres.
@@ -72,8 +73,8 @@ const BESIDE = 45
 const BEHIND = 30
 
 /**
- * Returns how far the mouth protrudes in comparison with a human face, in millimetres. The skin above the eyes shows by which angle the line
- * from eyes to mouth is tilted. The result is the length of this line times the tangent of the angle.
+ * Returns how far the mouth protrudes in comparison with a human face, in millimetres. `LEAN` minus the measured angle is the forward tilt of
+ * the head in face coordinates. The result is the height of the eyes above the mouth times the tangent of the tilt.
  */
 function muzzleOf({
   landmarks: { eye, mouthCorner },

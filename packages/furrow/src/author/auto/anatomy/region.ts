@@ -67,7 +67,10 @@ export interface Guide extends LineStyle {
 export interface SkinFilm {
   /** Origin of the skin's random variation, on the head's chart. */
   centre: ChartPoint
-  /** Returns whether a point is inside the patch that is flattened to a plane: the compressed skin and a margin around it. */
+  /**
+   * Returns whether a point is inside the flattened patch. This patch of skin is flattened to a plane, in which the folds are computed. It
+   * consists of the compressed skin and a margin around it.
+   */
   isFlattened(point: ChartPoint): boolean
   /** Returns the weight of the compression at a point, 0..1. It falls to 0 where the muscle ends. */
   weight(point: ChartPoint): number

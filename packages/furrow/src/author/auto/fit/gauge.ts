@@ -107,7 +107,7 @@ function inEdges(points: ArrayLike<number>, a: number, b: number, c: number, v: 
 }
 
 /**
- * Computes the vector across the line in each triangle of a gauge. At rest, it has length 1.
+ * Computes the vector across the nearest line for each triangle of a gauge (see `Gauge.across`). At rest, its length is 1.
  *
  * @param values packed xyz per point: positions, or the offsets of a target. For offsets, the result is the change of the vectors.
  * @param out receives x, y and z for each triangle of the gauge.

@@ -3,12 +3,13 @@ import type { ShapeFields } from '../fields/shape-fields.ts'
 import type { Match } from './match.ts'
 
 const SWEEPS = 200
-// A composite is a shape that is a sum of other shapes, for example a viseme.
-/** After subtracting the best combination of all other shapes, at most this fraction of a composite's squared motion remains. */
+// A composite is a shape that is a sum of other shapes, for example a viseme. The best combination of other shapes is subtracted from the
+// shape. The remainder is the fraction of the shape's squared motion that is left.
+/** Maximum remainder of a composite after subtracting shapes of all ARKit families. */
 const EXPLAINED = 0.006
-/** After subtracting other shapes with labels of the same family, at least this fraction of a composite's squared motion remains. */
+/** Minimum remainder of a composite after subtracting only shapes of the ARKit family that the composite itself matches. */
 const MIXED = 0.0003
-/** Minimum ratio of the remainder after subtracting the same family (`MIXED`) to the remainder after subtracting all shapes (`EXPLAINED`). */
+/** Minimum factor by which a composite's remainder is larger if only its own family is subtracted instead of all families. */
 const GAIN = 4
 
 /**

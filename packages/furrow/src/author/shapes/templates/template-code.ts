@@ -4,7 +4,7 @@ import type { TemplateHead, TemplateShape } from './templates.ts'
 
 /** Families of ARKit shapes. The code of a family is its index. */
 const FAMILIES: readonly string[] = [...SIDED, ...CENTRAL, ...SHIFTED]
-/** Quantisation steps per unit of a strength or a maximum coordinate. */
+/** Quantisation steps per unit of a shape's strength, and of the largest absolute coordinate in its displacement field. */
 const STEPS = 10_000
 
 // Shapes in `CENTRAL` are symmetric and store only one half of the face. Other shapes store the displacements of all samples.
@@ -12,9 +12,9 @@ const ALL = Array.from({ length: SAMPLES }, (_, i) => i)
 const HALF = ALL.filter((i) => i <= MIRRORED[i])
 
 /**
- * Encodes the shapes of a reference head as bytes: the weights of the samples, then the family, strength, maximum coordinate and displacement
- * field of each shape. Coordinates of a field have 8 bits on a square-root scale, which has finer steps near 0. A run of zeros is stored as a
- * zero and the length of the run.
+ * Encodes the shapes of a reference head as bytes. The weights of the samples come first. For each shape, the family, the strength, the
+ * largest absolute coordinate in the displacement field, and the field follow. Coordinates of a field are relative to the largest one. They
+ * have 8 bits on a square-root scale, which has finer steps near 0. A run of zeros is stored as a zero and the length of the run.
  */
 export function encodeHead({ weights, shapes }: TemplateHead): Uint8Array {
   const bytes: number[] = Array.from(weights, (weight) => Math.round(255 * weight))
