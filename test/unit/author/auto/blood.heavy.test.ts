@@ -34,9 +34,7 @@ describe.each(FACES)('blood of %s', async (_, path) => {
 
   test('reddens brows, nose and cheeks, and pales the lips', () => {
     expect(blood.areas.map(({ name }) => name).sort()).toEqual(FLUSHES)
-    for (const name of FLUSHES.slice(1, 5)) expect(middleOf(name), name).toBeGreaterThan(60)
-    // On every layer, lines leave little free skin between the brows.
-    expect(middleOf('flushBrows')).toBeGreaterThan(25)
+    for (const name of FLUSHES.slice(0, 5)) expect(middleOf(name), name).toBeGreaterThan(60)
     expect(middleOf('paleLips')).toBeLessThan(-40)
   })
 
@@ -70,7 +68,7 @@ describe.each(FACES)('blood of %s', async (_, path) => {
     }
   })
 
-  test('does not show in the areas of wrinkle lines on the same layer', () => {
+  test('shows less than a tenth of its strength in the areas of wrinkle lines on the same layer', () => {
     for (const { name, layer, weights } of areas) {
       const { data, width } = blood.maps[layer]
       const scale = width / weights.width
@@ -82,7 +80,7 @@ describe.each(FACES)('blood of %s', async (_, path) => {
         if (layers[layer].heights.data[y * width + x] === 0)
           most = Math.max(most, (weight / 255) * Math.abs(data[y * width + x] - 128))
       }
-      expect(most, name).toBeLessThan(5)
+      expect(most, name).toBeLessThan(12.7)
     }
   })
 

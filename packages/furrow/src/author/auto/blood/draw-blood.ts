@@ -41,6 +41,12 @@ export interface AutoBlood {
  */
 const LINE_FADE = 4
 
+/**
+ * Fraction of an area's feather at which a flush may begin. The area's weight is at most 0.22 there. Flushes that began where it is 0 would find
+ * almost no free skin between the brows.
+ */
+const FADED = 0.7
+
 /** Layers and areas for which blood is drawn. */
 export interface BloodSource {
   /** Texels of the layers' maps. */
@@ -126,7 +132,7 @@ function drawFlushes(
 /** Lines of a layer, and the sizes of the areas around them. */
 interface LineAreas {
   grid: LineGrid
-  /** Distance in millimetres from each line to the end of its area. */
+  /** Distance in millimetres from each line at which its area has faded enough for a flush to begin. */
   extents: number[]
 }
 
@@ -134,7 +140,7 @@ function linesOf({ regions, layerOf }: BloodSource, layer: number): LineAreas {
   const extentOf = new Map<LaidStroke, number>()
   for (const { region, creases } of regions.filter((_, i) => layerOf[i] === layer))
     for (const crease of creases)
-      extentOf.set(crease, Math.max(extentOf.get(crease) ?? 0, region.reach + region.feather))
+      extentOf.set(crease, Math.max(extentOf.get(crease) ?? 0, region.reach + FADED * region.feather))
   const extents = [...extentOf.values()]
   const reaches = extents.map((extent) => extent + LINE_FADE)
   return { grid: new LineGrid([...extentOf.keys()], reaches), extents }
