@@ -1,45 +1,45 @@
+import { lerp } from '../../../math/scalar.ts'
 import { unit2 } from '../../../math/vector.ts'
 import { filmWavelength } from '../buckling/film.ts'
 import type { ChartPoint } from '../surface/head-chart.ts'
 import { DERMIS, dermisAt } from './dermis.ts'
-import { chartPointOf, type FaceContext, type FaceRegion, fade, type Side, type SkinFilm } from './region.ts'
+import { eyeOpening } from './eye-opening.ts'
+import { type FaceContext, type FaceRegion, fade, type Side, type SkinFilm } from './region.ts'
 
-/** Distances below the centre of the eye, in millimetres. Downwards, folds fade in across `UPPER_EDGE`, and out across `LOWER_EDGE`. */
-const UPPER_EDGE = [9, 13] as const
-const LOWER_EDGE = [17, 27] as const
+/** Distances below the margin of the lower lid, in millimetres. Downwards, folds fade in across `UPPER_EDGE`, and out across `LOWER_EDGE`. */
+const UPPER_EDGE = [1, 4] as const
+const LOWER_EDGE = [9, 18] as const
 /** Distances from each corner of the eye towards the middle of the eye, in millimetres. Folds fade in from the first to the second. */
-const INNER_EDGE = [-1, 7] as const
-const OUTER_EDGE = [0, 8] as const
-/** Ratio of height to width of an oval around the eye. The folds follow its lower half. */
-const OVAL = 0.62
+const INNER_EDGE = [-8, 0] as const
+const OUTER_EDGE = [-4, 3] as const
 /** Distance, in millimetres, by which the flattened patch extends below and beside the folds (see `SkinFilm.isFlattened`). */
 const BORDER = 7
-/** Distance, in millimetres, by which the flattened patch extends above the folds, onto the lid. */
-const LID_BORDER = 2
 
 /** Returns the region below the lower lid: skin that the cheek and the ring muscle around the eye (orbicularis oculi) push up. */
-export function lowerLid(
-  { landmarks, ageFraction, byAge, rngOf }: FaceContext,
-  side: Side,
-  name: string,
-): FaceRegion {
+export function lowerLid(context: FaceContext, side: Side, name: string): FaceRegion {
+  const { ageFraction, byAge, rngOf } = context
   const rng = rngOf(`underEye${name}`)
-  const [inner] = chartPointOf(landmarks.innerCorner)
-  const [outer] = chartPointOf(landmarks.outerCorner)
-  const eye = landmarks.eye[1]
-  const middle = (inner + outer) / 2
+  const { inner, outer, lowest } = eyeOpening(context, side)
+  const width = outer[0] - inner[0]
+  const sag = (inner[1] + outer[1]) / 2 - lowest
   const thickness = dermisAt(DERMIS.lid, ageFraction)
-  /** Returns a point's distances from the inner corner, from the outer corner (both positive between the corners), and below the eye. */
+  /** Returns the height and the slope of the margin of the lower lid: a parabola through the corners of the eye. */
+  const marginAt = (across: number): readonly [up: number, slope: number] => {
+    const t = (across - inner[0]) / width
+    const up = lerp(inner[1], outer[1], t) - 4 * sag * t * (1 - t)
+    return [up, (outer[1] - inner[1] - 4 * sag * (1 - 2 * t)) / width]
+  }
+  /** Returns a point's distances from the inner corner, from the outer corner (both positive between the corners), and below the margin. */
   const placeOf = ([across, up]: ChartPoint) =>
-    [side * across - inner, outer - side * across, eye - up] as const
+    [side * across - inner[0], outer[0] - side * across, marginAt(side * across)[0] - up] as const
   const film: SkinFilm = {
-    centre: [side * middle, eye],
+    centre: [(side * (inner[0] + outer[0])) / 2, lowest],
     isFlattened: (point) => {
       const [fromInner, fromOuter, below] = placeOf(point)
       return (
         fromInner > INNER_EDGE[0] - BORDER &&
         fromOuter > OUTER_EDGE[0] - BORDER &&
-        below > UPPER_EDGE[0] - LID_BORDER &&
+        below > 0 &&
         below < LOWER_EDGE[1] + BORDER
       )
     },
@@ -53,8 +53,8 @@ export function lowerLid(
       )
     },
     thickness: () => thickness,
-    pull: ([across, up]) => unit2((across - side * middle) * OVAL * OVAL, up - eye),
-    variation: { thickness: 0.16, critical: 0.3, size: 5 },
+    pull: ([across]) => unit2(-side * marginAt(side * across)[1], 1),
+    variation: { thickness: 0.16, critical: 0.2, size: 5 },
     noise: rng.film(),
     style: { width: byAge(1.3, 1.6), depth: 1, taper: [0.2, 0.2], shoulder: [0.9, 0.9], softness: 0.6 },
   }
@@ -63,7 +63,7 @@ export function lowerLid(
     cause: { [`eyeSquint${name}`]: 1, [`cheekSquint${name}`]: 0.7 },
     film,
     spacing: filmWavelength(thickness),
-    creasedFraction: byAge(0.4, 0.75),
+    creasedFraction: byAge(0.5, 0.85),
     maxDepth: byAge(0.2, 0.4),
     atRest: 0.5,
     reach: 2.5,

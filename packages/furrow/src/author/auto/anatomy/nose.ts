@@ -2,8 +2,9 @@ import { length2 } from '../../../math/vector.ts'
 import { filmWavelength } from '../buckling/film.ts'
 import type { ChartPoint } from '../surface/head-chart.ts'
 import { DERMIS, dermisAt } from './dermis.ts'
+import { eyeOpening } from './eye-opening.ts'
 import {
-  chartPointOf,
+  degreesOf,
   type FaceContext,
   type FaceRegion,
   fade,
@@ -14,16 +15,15 @@ import {
 } from './region.ts'
 
 /** Distances from the inner corner of the eye, in millimetres. Folds fade in over the first range, and out over the second. */
-const START = [3, 7] as const
-const END = [20, 34] as const
-/** Distances below the corner of the eye, in millimetres. Folds fade in from the first to the second. */
-const UPPER_EDGE = [-4, 6] as const
-/** Distances from the middle of the face, in millimetres. Beside the ridge of the nose, folds fade in from the first to the second. */
-const RIDGE = [2.5, 6.5] as const
-/** Distances from the inner corner of the eye towards the cheek, in millimetres. Folds fade in from the first to the second. */
-const CHEEK = [4, -3] as const
+const START = [3, 9] as const
+const END = [24, 38] as const
+/** Directions from the corner of the eye in degrees below the horizontal. Folds fade in from the first to the second. */
+const UPPER_EDGE = [-14, 10] as const
+const CHEEK = [84, 56] as const
+/** Distances from the middle of the face, in millimetres. On the ridge of the nose, folds fade in from the first to the second. */
+const RIDGE = [0, 6] as const
 /** Factor on the slope of the folds. With a factor of 1, they would lie on lines through the corner of the eye. */
-const FLATTENING = 0.3
+const FLATTENING = 0.52
 /** Width, in millimetres, of the margin around the folds in the patch that is flattened to a plane (see `SkinFilm.isFlattened`). */
 const BORDER = 6
 
@@ -32,12 +32,9 @@ export function nose(context: FaceContext): FaceRegion[] {
   return SIDES.map(([side, name]) => bunnyLines(context, side, name))
 }
 
-function bunnyLines(
-  { landmarks, ageFraction, byAge, rngOf }: FaceContext,
-  side: Side,
-  name: string,
-): FaceRegion {
-  const [corner, up] = chartPointOf(landmarks.innerCorner)
+function bunnyLines(context: FaceContext, side: Side, name: string): FaceRegion {
+  const { ageFraction, byAge, rngOf } = context
+  const [corner, up] = eyeOpening(context, side).inner
   const thickness = dermisAt(DERMIS.nose, ageFraction)
   const fromCorner = ([across, height]: ChartPoint): ChartPoint => [side * across - corner, height - up]
   const film: SkinFilm = {
@@ -45,30 +42,25 @@ function bunnyLines(
     isFlattened: (point) => {
       const [out, high] = fromCorner(point)
       const distance = length2(out, high)
-      return (
-        out > -corner - BORDER &&
-        out < CHEEK[0] + BORDER &&
-        distance > 1 &&
-        distance < END[1] + BORDER &&
-        high < BORDER
-      )
+      return out > -corner - BORDER && out < 0 && distance > 1 && distance < END[1] + BORDER && high < BORDER
     },
     weight: (point) => {
       const [out, high] = fromCorner(point)
       const distance = length2(out, high)
+      const fall = degreesOf(-out, -high)
       return (
         fade(distance, ...START) *
         fade(distance, END[1], END[0]) *
-        fade(-high, ...UPPER_EDGE) *
-        fade(out + corner, ...RIDGE) *
-        fade(out, ...CHEEK)
+        fade(fall, ...UPPER_EDGE) *
+        fade(fall, ...CHEEK) *
+        fade(out + corner, ...RIDGE)
       )
     },
     thickness: () => thickness,
     pull: pullAround([side * corner, up], FLATTENING),
-    variation: { thickness: 0.2, critical: 0.15, size: 5 },
+    variation: { thickness: 0.25, critical: 0.25, size: 5 },
     noise: rngOf(`nose${name}`).film(),
-    style: { width: byAge(2, 2.5), depth: 1, taper: [0.25, 0.25], shoulder: [0.9, 0.9], softness: 0.65 },
+    style: { width: byAge(1.2, 1.5), depth: 1, taper: [0.35, 0.35], shoulder: [1, 1], softness: 0.75 },
   }
   return {
     name: `nose${name}`,
@@ -76,7 +68,7 @@ function bunnyLines(
     film,
     spacing: filmWavelength(thickness),
     creasedFraction: byAge(0.45, 0.85),
-    maxDepth: byAge(0.5, 0.9),
+    maxDepth: byAge(0.3, 0.55),
     atRest: 0.15,
     reach: 3,
     feather: 5,

@@ -1,4 +1,5 @@
 import { bezierAt } from '../../../math/bezier.ts'
+import { atan2 } from '../../../math/elementary.ts'
 import { smoothstep } from '../../../math/scalar.ts'
 import { unit2 } from '../../../math/vector.ts'
 import type { FilmNoise } from '../buckling/film-noise.ts'
@@ -154,6 +155,11 @@ export function bezierPath(
 /** Returns a smooth step from 0 at `from` to 1 at `to`, which may be smaller than `from`. */
 export function fade(value: number, from: number, to: number): number {
   return smoothstep((value - from) / (to - from))
+}
+
+/** Returns a direction in degrees above the horizontal. */
+export function degreesOf(across: number, up: number): number {
+  return (atan2(up, across) * 180) / Math.PI
 }
 
 /**
