@@ -1,28 +1,48 @@
+import { atan2, cos, sin } from '../../../math/elementary.ts'
+import { length2 } from '../../../math/vector.ts'
 import { bezierPath, chartPointOf, type FaceContext, type FaceRegion, type Side } from './region.ts'
+import { relaxedPath } from './relaxed-path.ts'
 import { wingGroove } from './wing-groove.ts'
 
-/** Width in millimetres of the cheek skin whose compression forms the nasolabial fold. The skin of the lip hardly contributes. */
-const CHEEK = 10
 /** Fraction by which a smile is assumed to shorten the cheek across the fold. The blendshapes of many heads compress it less near the lips. */
 const COMPRESSION = 0.3
 /** Height of the fold's start above the base of the nose, in millimetres. */
-const START = 11
-/** Distance in millimetres at which the fold passes the corner of the mouth. */
-const BESIDE_MOUTH = 7.3
+const START = 9
+/** Distance in millimetres at which the fold passes the corner of the smiling mouth. */
+const BESIDE_MOUTH = 10.5
+/** Length of the handles of the curve, as a fraction of the distance between its ends. */
+const HANDLE = 0.36
+/** Depths along the fold. The upper half is deepest. */
+const DEPTHS = [0.5, 0.9, 1, 1, 0.9, 0.75, 0.55]
 
 /**
  * Creates the nasolabial fold: a deep line that starts in the groove beside the wing of the nose and passes the corner of the mouth. The cheek
- * bulges over it.
+ * bulges over it. The fold is one smooth curve in a smile.
  */
 export function nasolabial(context: FaceContext, side: Side, name: string): FaceRegion {
-  const { landmarks, byAge, rngOf } = context
+  const { landmarks, byAge, rngOf, motionOf } = context
   const rng = rngOf(`nasolabial${name}`)
-  const [corner, mouth] = chartPointOf(landmarks.mouthCorner)
-  const start = landmarks.noseBase + START + rng.jitter(1.5)
-  const groove = wingGroove(context, side, start)
-  const beside = corner + BESIDE_MOUTH + rng.jitter(0.7)
-  const end = mouth - byAge(2, 9) + rng.jitter(2.5)
-  const bow = rng.jitter(2.5)
+  const moved = motionOf({ [`mouthSmile${name}`]: 0.9, [`cheekSquint${name}`]: 0.5 })
+  const smiling = (across: number, up: number) => {
+    const [x, y] = moved([side * across, up])
+    return [side * x, y] as const
+  }
+  const height = landmarks.noseBase + START + rng.jitter(1.5)
+  const start = smiling(wingGroove(context, side, height), height)
+  const corner = smiling(...chartPointOf(landmarks.mouthCorner))
+  const end = [corner[0] + BESIDE_MOUTH + rng.jitter(1), corner[1] - byAge(3, 13) + rng.jitter(2.5)] as const
+  const [dx, dy] = [end[0] - start[0], end[1] - start[1]]
+  const handle = HANDLE * length2(dx, dy)
+  // The fold leaves the nose outside the chord, and runs downwards beside the mouth.
+  const leaving = atan2(dy, dx) + 0.3 + rng.jitter(0.15)
+  const arriving = -Math.PI / 2 + rng.jitter(0.15)
+  const path = bezierPath(
+    side,
+    start,
+    [start[0] + handle * cos(leaving), start[1] + handle * sin(leaving)],
+    [end[0] - handle * cos(arriving), end[1] - handle * sin(arriving)],
+    end,
+  )
   return {
     name: `nasolabial${name}`,
     cause: {
@@ -33,26 +53,20 @@ export function nasolabial(context: FaceContext, side: Side, name: string): Face
     },
     guides: [
       {
-        path: bezierPath(
-          side,
-          [groove + 0.5, start],
-          [groove + 5.5 + bow, start - 9],
-          [beside - 2 + bow, mouth + 10 + rng.jitter(2)],
-          [beside, end],
-        ),
-        width: byAge(3.8, 4.6),
+        path: relaxedPath(moved, path),
+        width: byAge(3.4, 4.2),
         depth: 1,
-        taper: [0.2, 0.5],
+        depths: DEPTHS,
+        taper: [0.12, 0.4],
         // The cheek hangs over the fold, so the bank on the cheek's side is higher.
-        shoulder: side > 0 ? [1, 0.25] : [0.25, 1],
+        shoulder: side > 0 ? [1, 0.15] : [0.15, 1],
         lean: side * 0.25,
-        gathers: side * CHEEK,
         softness: byAge(0.5, 0.3),
       },
     ],
-    spacing: 14,
+    spacing: 12,
     creasedFraction: byAge(0.4, 0.8),
-    maxDepth: byAge(1.2, 1.9),
+    maxDepth: byAge(0.9, 1.8),
     atRest: 0.55,
     assumedCompression: COMPRESSION,
     reach: 6,

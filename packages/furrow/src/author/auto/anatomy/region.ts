@@ -13,6 +13,10 @@ export interface LineStyle {
   width: number
   /** Depth relative to the depth of the region's deepest line, 0..1. */
   depth: number
+  /**
+   * Depths along the line relative to its deepest point, 0..1, at even distances. Default: the depth follows the compression of the skin.
+   */
+  depths?: readonly number[]
   /** Lengths of the fade-in at the start and the fade-out at the end, as fractions of the line's length. */
   taper: readonly [start: number, end: number]
   /** Strengths of the raised banks on the left and right of the line, 0..1. */
@@ -57,11 +61,6 @@ export interface SkinRegion {
 /** Typical path of a crease on the face, known from anatomy. */
 export interface Guide extends LineStyle {
   path: readonly ChartPoint[]
-  /**
-   * Width, in millimetres, of the strip of skin beside the line that the line gathers. Positive: on the left of the line; negative: on the
-   * right. The compression is measured in this strip. Default: it is measured on the line.
-   */
-  gathers?: number
 }
 
 /** Skin that buckles under compression, see `buckle`. */
@@ -115,6 +114,8 @@ export interface FaceContext {
   byAge(at20: number, at80: number): number
   /** Returns the distance of the outermost skin from the head's axis in millimetres; undefined without skin. */
   radiusAt(point: ChartPoint): number | undefined
+  /** Returns where an expression, given by ARKit names, moves the skin around a point. Points without skin stay where they are. */
+  motionOf(expression: Readonly<Record<string, number>>): (point: ChartPoint) => ChartPoint
   /** Returns a random number generator for one part of the face; see `FaceRng.of`. */
   rngOf(name: string): FaceRng
 }

@@ -1,7 +1,7 @@
 import { barycentricsAt, normalAt } from '../../skin/walk.ts'
 import type { SkinLine } from '../../strokes/curve.ts'
 import type { Stroke } from '../../strokes/document.ts'
-import { type LaidStroke, layOutStroke, sectionOf } from '../../strokes/lay-out.ts'
+import { depthFactor, type LaidStroke, layOutStroke, sectionOf } from '../../strokes/lay-out.ts'
 import { bankSlope } from '../../strokes/profile.ts'
 import type { LineStyle, SkinRegion } from '../anatomy/region.ts'
 import { bankReaches } from './bank-reaches.ts'
@@ -112,16 +112,22 @@ function gentleBanks(
   return [Math.min(left, most[0]), Math.min(right, most[1])]
 }
 
-/** Computes a factor on the depth for each point of a line. Without `relativeDepths`, the factors depend on compression and random noise. */
+/**
+ * Computes a factor on the depth for each point of a line. Without `relativeDepths`, the factors depend on random noise, and on the depths of the
+ * style or the compression.
+ */
 function depthFactors(
-  { compressions, relativeDepths, variation }: LaidLine & { variation: DepthVariation },
+  { style: { depths }, compressions, relativeDepths, variation }: LaidLine & { variation: DepthVariation },
   full: number,
 ): readonly number[] {
   if (relativeDepths) return relativeDepths
   return movingAverage(compressions).map((compression, i) => {
     const relative = full > 0 ? Math.min(1, Math.max(0, compression) / full) : 0
+    const factor = depths
+      ? depthFactor(depths, i / (compressions.length - 1))
+      : MIN_DEPTH + (1 - MIN_DEPTH) * Math.sqrt(relative)
     const shallower = VARIATION * (0.5 + 0.5 * variation(i))
-    return (MIN_DEPTH + (1 - MIN_DEPTH) * Math.sqrt(relative)) * (1 - shallower)
+    return factor * (1 - shallower)
   })
 }
 

@@ -1,8 +1,7 @@
 import { atan2, cos, sin } from '../../../math/elementary.ts'
 import { clamp, smoothstep } from '../../../math/scalar.ts'
-import { cross, dot, length2, normalize } from '../../../math/vector.ts'
-import { cornersOf, crossOf, type SkinSurface } from '../../skin/surface.ts'
-import { barycentricsAt, normalAt, walk } from '../../skin/walk.ts'
+import { cross, length2 } from '../../../math/vector.ts'
+import type { SkinSurface } from '../../skin/surface.ts'
 import type { Guide } from '../anatomy/region.ts'
 import { type ChartPoint, type HeadChart, rollUp, unroll } from '../surface/head-chart.ts'
 import { bilinearForm, compressionAlong, tensorAt } from '../surface/tensors.ts'
@@ -17,8 +16,6 @@ const YIELD = 0.5
 const MAX_TURN = 0.3
 /** The direction of least compression is reliable if the compression across the line is at least this. */
 const TRUSTED = 0.05
-/** Number of steps in which `compressionBeside` samples the skin beside a line. */
-const GATHERED = 5
 
 /**
  * Lays lines on the skin along guides. A line starts at the first point of its guide and follows the guide, but turns slightly towards the
@@ -42,7 +39,7 @@ export function layGuides(
 function followGuide(
   surface: SkinSurface,
   chart: HeadChart,
-  { path, gathers = 0 }: Guide,
+  { path }: Guide,
   tensors: Float64Array,
 ): Omit<LaidLine, 'style'> | undefined {
   const start = chart.find(path[0])
@@ -60,11 +57,7 @@ function followGuide(
     const tensor = tensorAt(surface, tensors, triangle, barycentrics)
     if (!isOver) turnToStrain(tensor, normal, out)
     cross(across, normal, out)
-    compressions.push(
-      gathers === 0
-        ? compressionAlong(tensor, across[0], across[1], across[2])
-        : compressionBeside(surface, tensors, triangle, position, across, gathers),
-    )
+    compressions.push(compressionAlong(tensor, across[0], across[1], across[2]))
     return !isOver
   }
   const trace = traceLine(surface, start, field, 2 * lengthOf(path))
@@ -74,37 +67,6 @@ function followGuide(
     triangles: trace.triangles,
     compressions: compressions.slice(0, trace.triangles.length),
   }
-}
-
-/**
- * Returns the compression across a line, averaged over the skin from the line to a distance of `gathers` millimetres on its left (positive)
- * or right (negative). If triangles are large compared to this distance, returns the compression on the line alone.
- */
-function compressionBeside(
-  surface: SkinSurface,
-  tensors: Float64Array,
-  start: number,
-  from: Float64Array,
-  left: Float64Array,
-  gathers: number,
-): number {
-  const [position, across] = [from.slice(), left.map((value) => Math.sign(gathers) * value)]
-  const [weights, normal] = [new Float64Array(3), new Float64Array(3)]
-  let triangle = start
-  let [sum, count] = [0, 0]
-  const [a, b, c] = cornersOf(surface, start)
-  const isCoarse = Math.sqrt(crossOf(surface.points, a, b, c, normal)) > Math.abs(gathers) / 2
-  while (triangle >= 0 && count <= (isCoarse ? 0 : GATHERED)) {
-    barycentricsAt(weights, surface, triangle, position)
-    normalAt(normal, surface, triangle, weights)
-    const rise = dot(across, normal)
-    for (let k = 0; k < 3; k++) across[k] -= rise * normal[k]
-    normalize(across)
-    sum += compressionAlong(tensorAt(surface, tensors, triangle, weights), across[0], across[1], across[2])
-    count++
-    triangle = walk(surface, triangle, position, across, Math.abs(gathers) / GATHERED)
-  }
-  return sum / count
 }
 
 function isPast(here: ChartPoint, from: ChartPoint, to: ChartPoint): boolean {

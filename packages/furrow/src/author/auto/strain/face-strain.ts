@@ -1,13 +1,18 @@
 import { lerp } from '../../../math/scalar.ts'
+import { cornersOf } from '../../skin/surface.ts'
+import { barycentricsAt } from '../../skin/walk.ts'
 import { FaceRng } from '../anatomy/face-rng.ts'
 import type { FaceContext, FaceRegion } from '../anatomy/region.ts'
 import type { AutoRegion } from '../anatomy/region-names.ts'
 import { faceRegions } from '../anatomy/regions.ts'
 import type { DetectedFace } from '../surface/detect-face.ts'
-import type { ChartPoint } from '../surface/head-chart.ts'
-import { poseOf } from '../surface/pose.ts'
+import { type ChartPoint, unroll } from '../surface/head-chart.ts'
+import { type Pose, poseOf } from '../surface/pose.ts'
 import { poseInRigShapes } from '../surface/stand-ins.ts'
 import { FACE_SIGMA, poseStrain } from './pose-strain.ts'
+
+/** Distances, in millimetres, of the points whose mean motion is taken. The mean smooths the edges of triangles. */
+const AROUND = [-4, 0, 4] as const
 
 /** Region of a face, and the compression of the skin in the expression that creases the region. */
 export interface StrainedRegion {
@@ -37,7 +42,7 @@ function regionOf(name: string): AutoRegion {
  * @param ageFraction age as a number from 0 (20 years) to 1 (80 years).
  */
 export function faceContext(
-  { landmarks, chart }: Pick<DetectedFace, 'landmarks' | 'chart'>,
+  { landmarks, chart, surface, offsets, find }: DetectedFace,
   ageFraction: number,
   { seed, seeds, symmetry }: Pick<RegionSettings, 'seed' | 'seeds' | 'symmetry'>,
 ): FaceContext {
@@ -45,9 +50,39 @@ export function faceContext(
     landmarks,
     ageFraction,
     radiusAt: (point: ChartPoint) => chart.radiusAt(point),
+    motionOf: (expression: Readonly<Record<string, number>>) => {
+      const pose = poseOf(find, expression)
+      return ([across, up]: ChartPoint): ChartPoint => {
+        const around = AROUND.flatMap((x) => AROUND.map((y) => [across + x, up + y] as const))
+        const moved = around.map((point) => movedPoint({ chart, surface, offsets }, pose, point))
+        const motion = (k: 0 | 1) =>
+          moved.reduce((sum, point, i) => sum + point[k] - around[i][k], 0) / around.length
+        return [across + motion(0), up + motion(1)]
+      }
+    },
     byAge: (at20: number, at80: number) => lerp(at20, at80, ageFraction),
     rngOf: (name: string) => FaceRng.of(seeds[regionOf(name)] ?? seed, name, symmetry),
   }
+}
+
+function movedPoint(
+  { chart, surface, offsets }: Pick<DetectedFace, 'chart' | 'surface' | 'offsets'>,
+  pose: Pose,
+  point: ChartPoint,
+): ChartPoint {
+  const found = chart.find(point)
+  if (!found) return point
+  const weights = new Float64Array(3)
+  barycentricsAt(weights, surface, found.triangle, Float64Array.from(found.position))
+  const corners = cornersOf(surface, found.triangle)
+  const [x, y, z] = found.position.map((value, k) => {
+    let sum = value
+    for (const [target, weight] of pose)
+      for (const [c, corner] of corners.entries())
+        sum += weight * weights[c] * offsets[target][3 * corner + k]
+    return sum
+  })
+  return unroll(x, y, z)
 }
 
 /**
