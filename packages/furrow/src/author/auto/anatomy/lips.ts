@@ -1,4 +1,5 @@
 import { power } from '../../../math/elementary.ts'
+import { median } from '../../../math/quantile.ts'
 import { lerp } from '../../../math/scalar.ts'
 import type { FaceRng } from './face-rng.ts'
 import { chinGroove, mouthLine } from './mouth-line.ts'
@@ -7,6 +8,9 @@ import { bezierPath, chartPointOf, type FaceContext, type FaceRegion, type Guide
 
 /** Fraction of the height from the mouth line to the groove above the chin that the red of the lower lip covers (Farkas 1994). */
 const LOWER_RED = 0.55
+
+/** Distances from the middle, relative to the corner of the mouth, at which the ridge above the upper lip is measured. */
+const RIDGE_PLACES = [-0.6, -0.45, -0.3, -0.15, 0.15, 0.3, 0.45, 0.6] as const
 
 /** Properties of a lip's lines. */
 interface LipLines {
@@ -30,16 +34,20 @@ const UPPER: LipLines = {
   innermost: 0.24,
 }
 const LOWER: LipLines = {
-  counts: [4, 8],
-  inside: 2.5,
-  lengths: [0.3, 0.75],
-  depths: [0.35, 0.8],
+  counts: [5, 9],
+  inside: 2,
+  lengths: [0.45, 0.95],
+  depths: [0.6, 1],
   innermost: 0,
 }
 /** Distance of the outermost lines from the middle of the face, relative to that of the corner of the mouth. */
 const OUTERMOST = 0.8
 /** Minimum length of a line outside the red, in millimetres. */
 const MIN_LENGTH = 2.5
+/** Depths along a line, from its start in the red. */
+const DEPTHS = [0.7, 1, 0.9, 0.65, 0.4]
+/** Minimum fraction of length that pursed lips lose. Blendshapes of many heads push the lips forwards without compressing all of their skin. */
+const COMPRESSION = 0.1
 /** Exponent applied to the position of a line between middle (0) and corner of the mouth (1). Below 1, lines are closer together near the corners. */
 const CROWDING = 0.75
 
@@ -78,6 +86,7 @@ function lip(context: FaceContext, name: string, away: 1 | -1): FaceRegion {
       ),
       width: byAge(1.2, 1.5),
       depth: isMiddle ? rng.towards(0, depth) : depth,
+      depths: DEPTHS,
       taper: [0.4, 0.7],
       shoulder: [0.8, 0.8],
       softness: 0.85,
@@ -92,6 +101,7 @@ function lip(context: FaceContext, name: string, away: 1 | -1): FaceRegion {
     creasedFraction: byAge(0.15, 0.7),
     maxDepth: byAge(0.2, 0.45),
     atRest: 0.4,
+    assumedCompression: COMPRESSION,
     reach: 1.5,
     feather: 4,
   }
@@ -100,14 +110,30 @@ function lip(context: FaceContext, name: string, away: 1 | -1): FaceRegion {
 /** Returns the height of a lip's border at a distance from the middle of the face, and the length of the skin beside it, in millimetres. */
 type Border = (across: number) => { up: number; space: number }
 
-/** The red of the upper lip ends at a ridge between the mouth and the nose. */
+/**
+ * The red of the upper lip ends at a ridge between the mouth and the nose. The height of the ridge is the median of several places, because single
+ * profiles also bend at the philtrum. The red meets the red of the lower lip in the corners.
+ */
 function upperBorder(context: FaceContext): Border {
   const { landmarks, radiusAt } = context
+  const [corner] = chartPointOf(landmarks.mouthCorner)
+  const highest = median(
+    RIDGE_PLACES.map((place) => {
+      const across = place * corner
+      const line = mouthLine(context, across)
+      const [, ridge] = strongestBend(radiusAt, [across, line], [across, landmarks.noseBase], 1)
+      return (ridge - line) / redAt(place)
+    }),
+  )
   return (across) => {
-    const from = [across, mouthLine(context, across)] as const
-    const [, up] = strongestBend(radiusAt, from, [across, landmarks.noseBase], 1)
+    const up = mouthLine(context, across) + highest * redAt(across / corner)
     return { up, space: landmarks.noseBase - up }
   }
+}
+
+/** Returns the height of a lip's red relative to the middle, at a distance from the middle relative to the corner. */
+function redAt(place: number): number {
+  return Math.sqrt(Math.max(0, 1 - place * place))
 }
 
 /** The red of the lower lip ends between the mouth and the groove above the chin. It meets the red of the upper lip in the corners. */
@@ -116,8 +142,7 @@ function lowerBorder(context: FaceContext): Border {
   const groove = chinGroove(context)
   const height = mouth - lerp(mouthLine(context, 0), groove, LOWER_RED)
   return (across) => {
-    const relative = across / corner
-    const up = mouth - height * (1 - relative * relative)
+    const up = mouth - height * redAt(across / corner)
     return { up, space: up - groove }
   }
 }
