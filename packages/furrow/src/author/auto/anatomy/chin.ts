@@ -3,15 +3,22 @@ import { length2 } from '../../../math/vector.ts'
 import type { ChartPoint } from '../surface/head-chart.ts'
 import type { FaceRng } from './face-rng.ts'
 import { chinGroove } from './mouth-line.ts'
+import { strongestBend } from './profile.ts'
 import { bezierPath, chartPointOf, type FaceContext, type FaceRegion, type Guide } from './region.ts'
 
 /** Number of dimples. */
-const DIMPLES = 34
+const DIMPLES = 46
 /** Angle in radians, around the centre of the dimpled oval, from each dimple to the next. */
 const GOLDEN_ANGLE = 2.4
-/** Oval that contains the dimples: distance of its centre from the groove above the chin, and half its height, in millimetres. */
-const DIMPLED_BELOW = 13
-const DIMPLED_RADIUS = 10
+/** Maximum random distances from a dimple's regular place: along the circle, in radians, and from the centre, relative to the oval. */
+const SCATTER = [0.4, 0.07] as const
+/** Half the width of the dimpled mound of the chin, relative to the distance of the corner of the mouth from the middle. */
+const MOUND_WIDTH = 0.78
+/** Distances, in millimetres, of the mound from the groove above the chin and from the edge below the chin. */
+const BELOW_GROOVE = 3
+const ABOVE_EDGE = 2
+/** Distance below the end of the chin, in millimetres, down to which the chin's lower edge is searched. */
+const SEARCHED = 14
 
 /** Returns the regions of the chin and the neck: chin dimples, the crease above the chin (mentalis muscle), and neck rings. */
 export function chinAndNeck(context: FaceContext): FaceRegion[] {
@@ -40,7 +47,7 @@ function chin(context: FaceContext): FaceRegion {
       shoulder: [0.6, 0.9],
       softness: 0.6,
     },
-    ...dimples(rng, corner, [centre, groove - DIMPLED_BELOW]),
+    ...dimples(context, rng, moundOf(context, groove, centre)),
   ]
   return {
     name: 'chin',
@@ -48,7 +55,7 @@ function chin(context: FaceContext): FaceRegion {
     guides,
     spacing: 7,
     creasedFraction: byAge(0.3, 0.7),
-    maxDepth: byAge(0.6, 1),
+    maxDepth: byAge(0.4, 1),
     atRest: 0.2,
     assumedCompression: 0.1,
     reach: 3,
@@ -66,43 +73,66 @@ interface Dimple {
   radius: number
 }
 
-/** @param corner distance of the corner of the mouth from the middle of the face, in millimetres. */
-function dimples(rng: FaceRng, corner: number, [centre, middle]: ChartPoint): Guide[] {
-  // The golden angle keeps dimples apart (H. Vogel 1979, A better way to construct the sunflower head).
-  const dimpleAt = (i: number, turn: number): Dimple => {
-    const angle = GOLDEN_ANGLE * i + turn
-    const radius = Math.sqrt((i + 0.5) / DIMPLES)
-    return { x: radius * 0.62 * corner * cos(angle), y: radius * DIMPLED_RADIUS * sin(angle), radius }
+/** Oval that contains the dimples. */
+interface Mound {
+  centre: ChartPoint
+  halfWidth: number
+  halfHeight: number
+}
+
+/** Returns the mound of the chin between the groove above it and its lower edge, where the surface turns backwards. */
+function moundOf({ landmarks, radiusAt }: FaceContext, groove: number, across: number): Mound {
+  const [corner] = chartPointOf(landmarks.mouthCorner)
+  const [, edge] = strongestBend(radiusAt, [0, groove], [0, landmarks.chin - SEARCHED], 1)
+  const [top, bottom] = [groove - BELOW_GROOVE, edge + ABOVE_EDGE]
+  return {
+    centre: [across, (top + bottom) / 2],
+    halfWidth: MOUND_WIDTH * corner,
+    halfHeight: (top - bottom) / 2,
   }
-  const mirrored = mirroredDimples(Array.from({ length: DIMPLES }, (_, i) => dimpleAt(i, 0)))
+}
+
+function dimples({ byAge }: FaceContext, rng: FaceRng, { centre, halfWidth, halfHeight }: Mound): Guide[] {
+  // The golden angle keeps dimples apart (H. Vogel 1979, A better way to construct the sunflower head).
+  const dimpleAt = (i: number, turn: number, out: number): Dimple => {
+    const angle = GOLDEN_ANGLE * i + turn
+    const radius = Math.sqrt((i + 0.5) / DIMPLES) + out
+    return { x: radius * halfWidth * cos(angle), y: radius * halfHeight * sin(angle), radius }
+  }
+  const mirrored = mirroredDimples(Array.from({ length: DIMPLES }, (_, i) => dimpleAt(i, 0, 0)))
   const draw = (rng: FaceRng, i: number): Guide => {
-    const turn = rng.across(0.3)
-    const own = dimpleAt(i, turn)
+    const [turn, out] = [rng.across(SCATTER[0]), rng.jitter(SCATTER[1])]
+    const own = dimpleAt(i, turn, out)
     const partner = mirrored[i]
-    const left = partner === undefined ? { ...own, x: -own.x } : dimpleAt(partner, -turn)
-    const x = centre + rng.towards(-left.x, own.x)
-    const y = middle + rng.towards(left.y, own.y)
+    const left = partner === undefined ? { ...own, x: -own.x } : dimpleAt(partner, -turn, out)
+    const x = centre[0] + rng.towards(-left.x, own.x)
+    const y = centre[1] + rng.towards(left.y, own.y)
     const radius = rng.towards(left.radius, own.radius)
     const direction = Math.PI / 2 + rng.across(Math.PI / 2)
-    const halfLength = rng.uniform(0.8, 1.6)
+    const halfLength = rng.uniform(0.8, 2.4)
+    const bend = rng.across(0.5) * halfLength
     const [dx, dy] = [halfLength * cos(direction), halfLength * sin(direction)]
+    const [bx, by] = [-bend * sin(direction), bend * cos(direction)]
+    const width = rng.uniform(2.4, 5)
+    // Few dimples are deep. Shallow ones show with age.
+    const depth = rng.uniform(byAge(-0.4, 0.3), 1)
     return {
       path: bezierPath(
         1,
         [x - dx, y - dy],
-        [x - dx / 3, y - dy / 3],
-        [x + dx / 3, y + dy / 3],
+        [x - dx / 3 + bx, y - dy / 3 + by],
+        [x + dx / 3 + bx, y + dy / 3 + by],
         [x + dx, y + dy],
       ),
-      width: rng.uniform(2.4, 3.4),
-      depth: rng.uniform(0.35, 0.7) * (1.15 - radius),
-      taper: [0.3, 0.3],
-      shoulder: [0.9, 0.9],
-      softness: 0.9,
+      width,
+      depth: Math.max(0, 0.2 * width * depth * (1.2 - 0.7 * radius)),
+      taper: [0.5, 0.5],
+      shoulder: [1, 1],
+      softness: 1,
       isDimple: true,
     }
   }
-  return rng.row(DIMPLES, draw, (i) => mirrored[i])
+  return rng.row(DIMPLES, draw, (i) => mirrored[i]).filter(({ depth }) => depth > 0)
 }
 
 /**
