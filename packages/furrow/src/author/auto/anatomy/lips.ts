@@ -117,16 +117,18 @@ type Border = (across: number) => { up: number; space: number }
 function upperBorder(context: FaceContext): Border {
   const { landmarks, radiusAt } = context
   const [corner] = chartPointOf(landmarks.mouthCorner)
+  // The mean of both sides: the place where the lips touch is found only to half a millimetre.
+  const lineAt = (across: number) => (mouthLine(context, across) + mouthLine(context, -across)) / 2
   const highest = median(
     RIDGE_PLACES.map((place) => {
       const across = place * corner
-      const line = mouthLine(context, across)
+      const line = lineAt(across)
       const [, ridge] = strongestBend(radiusAt, [across, line], [across, landmarks.noseBase], 1)
       return (ridge - line) / redAt(place)
     }),
   )
   return (across) => {
-    const up = mouthLine(context, across) + highest * redAt(across / corner)
+    const up = lineAt(across) + highest * redAt(across / corner)
     return { up, space: landmarks.noseBase - up }
   }
 }
