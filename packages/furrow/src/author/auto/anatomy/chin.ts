@@ -125,7 +125,7 @@ function dimples({ byAge }: FaceContext, rng: FaceRng, { centre, halfWidth, half
         [x + dx, y + dy],
       ),
       width,
-      depth: Math.max(0, 0.2 * width * depth * (1.2 - 0.7 * radius)),
+      depth: Math.max(0, 0.17 * width * depth * (1.2 - 0.7 * radius)),
       taper: [0.5, 0.5],
       shoulder: [1, 1],
       softness: 1,
