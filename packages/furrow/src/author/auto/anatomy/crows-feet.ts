@@ -70,7 +70,7 @@ export function crowsFeet(context: FaceContext, side: Side, name: string): FaceR
     variation: { thickness: 0.16, critical: 0.3, size: 5 },
     noise: rng.film(),
     style: {
-      width: byAge(1.4, 1.6),
+      width: byAge(1.35, 1.5),
       depth: 1,
       taper: [0.15, 0.3],
       shoulder: [1, 1],
