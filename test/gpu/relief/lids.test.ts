@@ -7,7 +7,7 @@ import { cutsOf, lengthAway } from './self-intersections.ts'
 const NEAR = 0.001
 
 /** Maximum length of new intersections where a squint presses the banks of crow's feet together, metres. */
-const PRESSED = 0.002
+const PRESSED = 0.006
 
 /** Maximum length of new intersections, metres. Closed lids would have 0.02 m if heights were not reduced near other skin. */
 const FEW = 0.012
@@ -43,7 +43,7 @@ it.each([
   const face = await bandedFace(harness)
   const { before, cuts } = cutsIn(face, targets)
   expect(length(before)).toBeGreaterThan(0)
-  expect(length(cuts)).toBeLessThan(1.1 * length(before))
+  expect(length(cuts)).toBeLessThan(1.15 * length(before))
   expect(lengthAway(cuts, before, NEAR)).toBeLessThan(FEW)
   face.dispose()
   harness.dispose()

@@ -175,7 +175,8 @@ describe.each(FACES)('%s', (name, path) => {
       const { heights, normal, shade } = deviations(triangles)
       expect(heights, name).toBeLessThan(FLAT)
       expect(normal, name).toBeLessThan(STRAIGHT)
-      expect(shade, name).toBeLessThan(1)
+      // 1 of 255 steps is rounding; 2 steps cannot be seen.
+      expect(shade, name).toBeLessThan(2)
     }
   })
 

@@ -26,7 +26,7 @@ const AGE = 5 / 6
  */
 const HEIGHT = 0.01
 const SHADE = 0.015
-const WEIGHT = 0.1
+const WEIGHT = 0.12
 const SLOPE = 0.12
 
 /** The seam is at the middle of the face, where wrinkle lines of forehead, nose, lips, chin and neck cross it. */
