@@ -26,7 +26,7 @@ const FAN_FULL = 18
 const FAN = [-42, 37] as const
 /** Angle in degrees over which the compression fades out at each edge of the fan. */
 const FAN_FADE = 28
-/** Width, in millimetres, of the margin around the fan in the patch that is flattened to a plane (see `SkinFilm.isFlattened`). */
+/** Distance, in millimetres, by which the flattened patch extends beyond the fan (see `SkinFilm.isFlattened`). */
 const BORDER = 8
 /** Half the height of the eye's opening, in millimetres. */
 const LID_OPENING = 9

@@ -17,12 +17,12 @@ const DEPTHS = [0.5, 0.9, 1, 1, 0.9, 0.75, 0.55]
 
 /**
  * Creates the nasolabial fold: a deep line that starts in the groove beside the wing of the nose and passes the corner of the mouth. The cheek
- * bulges over it. The fold is one smooth curve in a smile.
+ * bulges over it. The fold is one smooth curve in half of a smile, and so has no hook in a sneer or in a full smile.
  */
 export function nasolabial(context: FaceContext, side: Side, name: string): FaceRegion {
   const { landmarks, byAge, rngOf, motionOf } = context
   const rng = rngOf(`nasolabial${name}`)
-  const moved = motionOf({ [`mouthSmile${name}`]: 0.9, [`cheekSquint${name}`]: 0.5 })
+  const moved = motionOf({ [`mouthSmile${name}`]: 0.5, [`cheekSquint${name}`]: 0.25 })
   const smiling = (across: number, up: number) => {
     const [x, y] = moved([side * across, up])
     return [side * x, y] as const

@@ -14,7 +14,7 @@ import {
   type SkinFilm,
 } from './region.ts'
 
-/** Distances from the inner corner of the eye, in millimetres. Folds fade in over the first range, and out over the second. */
+/** Distances from the inner corner of the eye, in millimetres. With distance, folds fade in across `START`, and out across `END`. */
 const START = [3, 9] as const
 const END = [24, 38] as const
 /** Directions from the corner of the eye in degrees below the horizontal. Folds fade in from the first to the second. */
@@ -24,7 +24,7 @@ const CHEEK = [84, 56] as const
 const RIDGE = [0, 6] as const
 /** Factor on the slope of the folds. With a factor of 1, they would lie on lines through the corner of the eye. */
 const FLATTENING = 0.52
-/** Width, in millimetres, of the margin around the folds in the patch that is flattened to a plane (see `SkinFilm.isFlattened`). */
+/** Distance, in millimetres, by which the flattened patch extends beyond the folds (see `SkinFilm.isFlattened`). */
 const BORDER = 6
 
 /** Returns the regions on both sides of the nose, where the nasalis muscle gathers the skin. Their lines run towards the corner of the eye. */
