@@ -207,8 +207,8 @@ export class LiveFace {
   }
 
   /**
-   * Rotates the camera around the face: to the left if the pointer is right of the face, and down if the pointer is below
-   * it. Returns whether the camera is still moving.
+   * Rotates the camera around the face, so that the face turns towards the pointer. The camera moves to the left if the
+   * pointer is right of the face, and up if the pointer is below it. Returns whether the camera is still moving.
    */
   #follow(): boolean {
     const { x, y } = this.#aim
@@ -218,7 +218,7 @@ export class LiveFace {
     const { radius, phi, theta } = this.#rest
     const reach = this.#isCalm.matches ? 0 : 1
     this.#camera.position
-      .setFromSphericalCoords(radius, phi + reach * PITCH * this.#now.y, theta - reach * YAW * this.#now.x)
+      .setFromSphericalCoords(radius, phi - reach * PITCH * this.#now.y, theta - reach * YAW * this.#now.x)
       .add(this.#target)
     this.#camera.lookAt(this.#target)
     return Math.hypot(dx, dy) > 0.004
