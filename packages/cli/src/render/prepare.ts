@@ -3,7 +3,7 @@ import { dirname, join, parse, resolve } from 'node:path'
 import { fileURLToPath, pathToFileURL } from 'node:url'
 import { EXPRESSIONS, FurrowError, findTargets, parseWrinkleSetDocument } from 'furrow'
 import { didYouMean, parseWrinkleMaps, WRINKLE_MAPS } from 'furrow/internal'
-import { cannotRead, encodeGlb, type GltfJson, targetNamesOf } from 'furrow-files'
+import { cannotRead, encodeGlb, type GltfJson, MAP_SLOTS, targetNamesOf } from 'furrow-files'
 import { type ReadOptions, readGlbFile, readJson, recordRead, resolveInside } from 'furrow-files/node'
 import { type PageJob, PICTURE_DEFAULTS, PICTURE_SIDE, type PictureRequest } from './picture.ts'
 
@@ -96,9 +96,7 @@ async function findWrinkles(
     `${WHO}: ${path}`,
   )
   const files = new Map([[path, path]])
-  const maps = layers.flatMap(({ normal, baseColor, roughness, occlusion, blood, onset, height }) => {
-    return [normal, baseColor, roughness, occlusion, blood, onset, height].filter((map) => map !== undefined)
-  })
+  const maps = layers.flatMap((layer) => MAP_SLOTS.flatMap(([map]) => layer[map] ?? []))
   for (const uri of [...maps, ...areas.map(({ image }) => image)]) {
     const real = await resolveInside(path, uri, WHO, options)
     await checkReadable(real)

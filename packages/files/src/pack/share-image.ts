@@ -1,4 +1,5 @@
 import { FurrowError } from 'furrow'
+import { CHANNEL } from 'furrow/internal'
 import { decodeImage } from '#images'
 import { channelOf } from '../images/pixels.ts'
 import { encodePortablePng } from '../images/png.ts'
@@ -27,19 +28,19 @@ export async function shareImage<L extends { name: string } & Partial<Record<Map
   const isJoined = (!blood || blood === occlusion) && (!onset || onset === (occlusion ?? blood))
   if ((!blood && !onset) || (isJoined && !(onset && isShared))) return layer
   const { width, height } = (occlusion ?? blood ?? onset)!
-  const read = async (map: MapName, channel: number) => {
+  const read = async (map: keyof typeof CHANNEL) => {
     const image = layer[map]
     if (!image) return undefined
     const isScaled = image.width !== width || image.height !== height
     if (isScaled && width !== height) throw sizeMismatch(layer.name, map, image, { width, height }, who)
     const pixels = await decodeImage(image.bytes, image.name, who)
-    return channelOf(isScaled ? scaleImage(pixels, width) : pixels, channel)
+    return channelOf(isScaled ? scaleImage(pixels, width) : pixels, CHANNEL[map])
   }
   const green = onset ? 'onset' : 'roughness'
   const channels = [
-    await read('occlusion', 0),
-    onset || isShared ? await read(green, 1) : undefined,
-    await read('blood', 2),
+    await read('occlusion'),
+    onset || isShared ? await read(green) : undefined,
+    await read('blood'),
   ]
   const bytes = encodePortablePng(joinChannels(channels, width, height))
   const image = { ...(occlusion ?? blood ?? onset)!, mimeType: 'image/png', width, height, bytes }

@@ -1,12 +1,9 @@
 import type { GrayImage } from 'furrow'
-import type { WrinkleMapsLayer } from 'furrow/internal'
+import { CHANNEL, type WrinkleMapsLayer } from 'furrow/internal'
 import type { Glb } from '../gltf/glb.ts'
 import { pixelsOf } from '../gltf/texture-pixels.ts'
 import { channelOf, type Pixels } from '../images/pixels.ts'
 import type { MapName } from './map-slots.ts'
-
-/** Channels of occlusion, blood and onset in an image that they share. */
-const CHANNELS: Partial<Record<MapName, number>> = { occlusion: 0, blood: 2, onset: 1 }
 
 /** Combines up to three maps of equal size as red, green and blue. A missing map is white. */
 export function joinChannels(
@@ -32,10 +29,9 @@ export async function partOfImage(
   map: MapName,
   who: string,
 ): Promise<GrayImage | undefined> {
-  const channel = CHANNELS[map]
-  const { occlusionTexture, bloodTexture, onsetTexture } = layer
-  const own = { occlusion: occlusionTexture, blood: bloodTexture, onset: onsetTexture }[map as 'occlusion']
-  const isShared = bloodTexture !== undefined || onsetTexture !== undefined
-  if (channel === undefined || !own || !isShared) return undefined
-  return channelOf(await pixelsOf(glb, own, who), channel)
+  if (map !== 'occlusion' && map !== 'blood' && map !== 'onset') return undefined
+  const own = layer[`${map}Texture`]
+  const isShared = layer.bloodTexture !== undefined || layer.onsetTexture !== undefined
+  if (!own || !isShared) return undefined
+  return channelOf(await pixelsOf(glb, own, who), CHANNEL[map])
 }

@@ -116,7 +116,7 @@ function distanceToLine(
 }
 
 /** Computes the distance from a position to the segment between point `point` of a polyline and the next point. */
-function distanceToSegment(points: Float64Array, point: number, position: Float64Array): number {
+export function distanceToSegment(points: Float64Array, point: number, position: Float64Array): number {
   let along = 0
   let square = 0
   let offset = 0

@@ -11,15 +11,27 @@ export interface PlacedStroke {
 }
 
 export function placeOf(laid: readonly LaidStroke[]): Omit<PlacedStroke, 'stroke'> {
+  return { laid, box: boxAround(laid, reachOf) }
+}
+
+/**
+ * Returns the bounding box of lines, widened by a margin for each line.
+ *
+ * @returns lowest x, y and z, then highest.
+ */
+export function boxAround<Line extends { points: Float64Array }>(
+  lines: readonly Line[],
+  marginOf: (line: Line) => number,
+): Float64Array {
   const box = Float64Array.of(Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity)
-  for (const line of laid) {
-    const reach = reachOf(line)
+  for (const line of lines) {
+    const margin = marginOf(line)
     for (const [i, value] of line.points.entries()) {
-      box[i % 3] = Math.min(box[i % 3], value - reach)
-      box[3 + (i % 3)] = Math.max(box[3 + (i % 3)], value + reach)
+      box[i % 3] = Math.min(box[i % 3], value - margin)
+      box[3 + (i % 3)] = Math.max(box[3 + (i % 3)], value + margin)
     }
   }
-  return { laid, box }
+  return box
 }
 
 /** Whether two boxes overlap. */

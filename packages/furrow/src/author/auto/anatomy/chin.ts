@@ -12,6 +12,8 @@ const DIMPLES = 46
 const GOLDEN_ANGLE = 2.4
 /** Maximum random distances from a dimple's regular place: along the circle, in radians, and from the centre, relative to the oval. */
 const SCATTER = [0.4, 0.07] as const
+/** Depth of a dimple (see `LineStyle.depth`) per millimetre of its width. */
+const STEEPNESS = 0.17
 /** Half the width of the dimpled mound of the chin, relative to the distance of the corner of the mouth from the middle. */
 const MOUND_WIDTH = 0.78
 /** Distances, in millimetres, of the mound from the groove above the chin and from the edge below the chin. */
@@ -125,7 +127,7 @@ function dimples({ byAge }: FaceContext, rng: FaceRng, { centre, halfWidth, half
         [x + dx, y + dy],
       ),
       width,
-      depth: Math.max(0, 0.17 * width * depth * (1.2 - 0.7 * radius)),
+      depth: Math.max(0, STEEPNESS * width * depth * (1.2 - 0.7 * radius)),
       taper: [0.5, 0.5],
       shoulder: [1, 1],
       softness: 1,

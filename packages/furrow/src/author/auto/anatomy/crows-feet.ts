@@ -3,7 +3,6 @@ import { length2 } from '../../../math/vector.ts'
 import { filmWavelength } from '../buckling/film.ts'
 import type { ChartPoint } from '../surface/head-chart.ts'
 import { DERMIS, dermisAt } from './dermis.ts'
-import { eyeOpening } from './eye-opening.ts'
 import {
   degreesOf,
   type FaceContext,
@@ -32,13 +31,16 @@ const BORDER = 8
 const LID_OPENING = 9
 
 /** Returns the region of crow's feet, where the ring muscle around the eye (orbicularis oculi) folds the skin into a fan of lines. */
-export function crowsFeet(context: FaceContext, side: Side, name: string): FaceRegion {
-  const { ageFraction, byAge, rngOf } = context
+export function crowsFeet(
+  { ageFraction, byAge, openingOf, rngOf }: FaceContext,
+  side: Side,
+  name: string,
+): FaceRegion {
   const rng = rngOf(`crowsFeet${name}`)
   const {
     inner: [inner],
     outer: [corner, up],
-  } = eyeOpening(context, side)
+  } = openingOf(side)
   const centre = corner - INSIDE
   const fromCentre = ([across, height]: ChartPoint): ChartPoint => [side * across - centre, height - up]
   const reach = INSIDE + byAge(30, 52)

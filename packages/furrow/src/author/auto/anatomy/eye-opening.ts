@@ -1,13 +1,5 @@
 import type { ChartPoint } from '../surface/head-chart.ts'
-import { chartPointOf, type FaceContext, type Side } from './region.ts'
-
-/** Opening of the eye at rest, on the head's chart, mirrored to the person's left. */
-export interface EyeOpening {
-  inner: ChartPoint
-  outer: ChartPoint
-  /** Height of the lowest point of the lower lid's margin. */
-  lowest: number
-}
+import { chartPointOf, type EyeOpening, type FaceContext, type Side } from './region.ts'
 
 /** Distances in millimetres from the centre of the closed lids in which the opening is searched, and the step. */
 const SEARCHED = { above: 4, below: 18, step: 0.5 } as const
@@ -19,7 +11,10 @@ const MIN_WIDTH = 12
 const USUAL = { inner: [6.5, -3], outer: [-2, -4], margin: -9 } as const
 
 /** Finds the opening of an eye: the hole of the skin between the lids. The landmarks at the corners are those of the lids, which are wider. */
-export function eyeOpening({ landmarks, radiusAt }: FaceContext, side: Side): EyeOpening {
+export function eyeOpening(
+  { landmarks, radiusAt }: Pick<FaceContext, 'landmarks' | 'radiusAt'>,
+  side: Side,
+): EyeOpening {
   const eye = landmarks.eye[1]
   const [inner, innerUp] = chartPointOf(landmarks.innerCorner)
   const [outer, outerUp] = chartPointOf(landmarks.outerCorner)

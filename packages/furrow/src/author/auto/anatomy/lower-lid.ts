@@ -3,7 +3,6 @@ import { unit2 } from '../../../math/vector.ts'
 import { filmWavelength } from '../buckling/film.ts'
 import type { ChartPoint } from '../surface/head-chart.ts'
 import { DERMIS, dermisAt } from './dermis.ts'
-import { eyeOpening } from './eye-opening.ts'
 import { type FaceContext, type FaceRegion, fade, type Side, type SkinFilm } from './region.ts'
 
 /** Distances below the margin of the lower lid, in millimetres. Downwards, folds fade in across `UPPER_EDGE`, and out across `LOWER_EDGE`. */
@@ -16,10 +15,13 @@ const OUTER_EDGE = [-4, 3] as const
 const BORDER = 7
 
 /** Returns the region below the lower lid: skin that the cheek and the ring muscle around the eye (orbicularis oculi) push up. */
-export function lowerLid(context: FaceContext, side: Side, name: string): FaceRegion {
-  const { ageFraction, byAge, rngOf } = context
+export function lowerLid(
+  { ageFraction, byAge, openingOf, rngOf }: FaceContext,
+  side: Side,
+  name: string,
+): FaceRegion {
   const rng = rngOf(`underEye${name}`)
-  const { inner, outer, lowest } = eyeOpening(context, side)
+  const { inner, outer, lowest } = openingOf(side)
   const width = outer[0] - inner[0]
   const sag = (inner[1] + outer[1]) / 2 - lowest
   const thickness = dermisAt(DERMIS.lid, ageFraction)

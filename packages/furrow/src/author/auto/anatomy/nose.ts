@@ -2,7 +2,6 @@ import { length2 } from '../../../math/vector.ts'
 import { filmWavelength } from '../buckling/film.ts'
 import type { ChartPoint } from '../surface/head-chart.ts'
 import { DERMIS, dermisAt } from './dermis.ts'
-import { eyeOpening } from './eye-opening.ts'
 import {
   degreesOf,
   type FaceContext,
@@ -32,9 +31,12 @@ export function nose(context: FaceContext): FaceRegion[] {
   return SIDES.map(([side, name]) => bunnyLines(context, side, name))
 }
 
-function bunnyLines(context: FaceContext, side: Side, name: string): FaceRegion {
-  const { ageFraction, byAge, rngOf } = context
-  const [corner, up] = eyeOpening(context, side).inner
+function bunnyLines(
+  { ageFraction, byAge, openingOf, rngOf }: FaceContext,
+  side: Side,
+  name: string,
+): FaceRegion {
+  const [corner, up] = openingOf(side).inner
   const thickness = dermisAt(DERMIS.nose, ageFraction)
   const fromCorner = ([across, height]: ChartPoint): ChartPoint => [side * across - corner, height - up]
   const film: SkinFilm = {

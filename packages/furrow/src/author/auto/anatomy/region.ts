@@ -105,6 +105,14 @@ export interface BucklingRegion extends SkinRegion {
 /** Region of a face. */
 export type FaceRegion = GuidedRegion | BucklingRegion
 
+/** Opening of the eye at rest, on the head's chart, mirrored to the person's left. */
+export interface EyeOpening {
+  inner: ChartPoint
+  outer: ChartPoint
+  /** Height of the lowest point of the lower lid's margin. */
+  lowest: number
+}
+
 /** Input for creating the regions of a face. */
 export interface FaceContext {
   landmarks: Landmarks
@@ -116,6 +124,8 @@ export interface FaceContext {
   radiusAt(point: ChartPoint): number | undefined
   /** Returns where an expression, given by ARKit names, moves the skin around a point. Points without skin stay where they are. */
   motionOf(expression: Readonly<Record<string, number>>): (point: ChartPoint) => ChartPoint
+  /** Returns the opening of an eye (see `eyeOpening`), which is computed once. */
+  openingOf(side: Side): EyeOpening
   /** Returns a random number generator for one part of the face; see `FaceRng.of`. */
   rngOf(name: string): FaceRng
 }

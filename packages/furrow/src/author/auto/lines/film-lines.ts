@@ -31,11 +31,10 @@ const ALIGNED = 0.8
 /** Width of the shallowest lines, as a fraction of the width of the deepest line. */
 const NARROWEST = 0.75
 
-/** Heights of a folded film, and the valleys between its ridges. */
+/** Samples and fields of a folded film, and the valleys between its ridges. */
 interface FoldedFilm {
   samples: ChartSamples
   fields: FilmFields
-  heights: Float64Array
   valleys: readonly Valley[]
 }
 
@@ -59,7 +58,7 @@ export function layFilm(
   return valleys.flatMap((valley) => layValley(samples, fields, valley, region.film, deepest))
 }
 
-/** Computes the heights and valleys of a region's film. Returns undefined if the mesh has no skin there. */
+/** Computes the valleys of a region's film. Returns undefined if the mesh has no skin there. */
 function foldFilm(
   { surface, chart: head }: Pick<DetectedFace, 'surface' | 'chart'>,
   { film, creasedFraction, spacing }: Pick<BucklingRegion, 'film' | 'creasedFraction' | 'spacing'>,
@@ -84,7 +83,7 @@ function foldFilm(
     minDepth: MIN_DEPTH,
     minLength: MIN_LENGTH * spacing,
   }).filter((valley) => alignment(samples, fields, valley) > ALIGNED)
-  return { samples, fields, heights, valleys }
+  return { samples, fields, valleys }
 }
 
 /** Returns whether a point is inside the film's patch and on outer skin. */

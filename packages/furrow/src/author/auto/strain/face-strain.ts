@@ -1,8 +1,9 @@
 import { lerp } from '../../../math/scalar.ts'
 import { cornersOf } from '../../skin/surface.ts'
 import { barycentricsAt } from '../../skin/walk.ts'
+import { eyeOpening } from '../anatomy/eye-opening.ts'
 import { FaceRng } from '../anatomy/face-rng.ts'
-import type { FaceContext, FaceRegion } from '../anatomy/region.ts'
+import type { EyeOpening, FaceContext, FaceRegion, Side } from '../anatomy/region.ts'
 import type { AutoRegion } from '../anatomy/region-names.ts'
 import { faceRegions } from '../anatomy/regions.ts'
 import type { DetectedFace } from '../surface/detect-face.ts'
@@ -46,10 +47,17 @@ export function faceContext(
   ageFraction: number,
   { seed, seeds, symmetry }: Pick<RegionSettings, 'seed' | 'seeds' | 'symmetry'>,
 ): FaceContext {
+  const radiusAt = (point: ChartPoint) => chart.radiusAt(point)
+  const openings = new Map<Side, EyeOpening>()
   return {
     landmarks,
     ageFraction,
-    radiusAt: (point: ChartPoint) => chart.radiusAt(point),
+    radiusAt,
+    openingOf: (side: Side) => {
+      const opening = openings.get(side) ?? eyeOpening({ landmarks, radiusAt }, side)
+      openings.set(side, opening)
+      return opening
+    },
     motionOf: (expression: Readonly<Record<string, number>>) => {
       const pose = poseOf(find, expression)
       return ([across, up]: ChartPoint): ChartPoint => {

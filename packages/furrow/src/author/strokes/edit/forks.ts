@@ -1,10 +1,11 @@
-import { clamp } from '../../../math/scalar.ts'
+import { distanceToSegment } from '../../../math/spline.ts'
 import { dot, length3 } from '../../../math/vector.ts'
 import { barycentricsAt, normalAt } from '../../skin/walk.ts'
 import type { LocatedSkin } from '../curve.ts'
 import type { Stroke } from '../document.ts'
 import { isBulge } from '../lay-out.ts'
 import { FACING } from '../line-segments.ts'
+import { boxAround } from '../placed-stroke.ts'
 import type { StrokeLine, StrokeLines } from './stroke-lines.ts'
 
 /** Maximum distance in millimetres between a stroke's end and another stroke that meet in a fork. */
@@ -52,7 +53,9 @@ interface Found {
 export function findForks(strokes: readonly Stroke[], lines: StrokeLines): Fork[] {
   const searched = strokes.flatMap((each, stroke): Searched[] => {
     const line = lines.lineOf(each)
-    return line ? [{ stroke, layer: each.layer, isRaised: isBulge(each), line, box: boxOf(line) }] : []
+    return line
+      ? [{ stroke, layer: each.layer, isRaised: isBulge(each), line, box: boxAround([line], () => TOUCH) }]
+      : []
   })
   const forks: Found[] = []
   for (const own of searched) {
@@ -123,16 +126,10 @@ function nearestPlace(line: StrokeLine, position: Float64Array): number {
 }
 
 /** Returns the distance from a position to a line in millimetres. */
-export function distanceToLine({ points }: StrokeLine, [x, y, z]: Float64Array): number {
+export function distanceToLine({ points }: StrokeLine, position: Float64Array): number {
   let least = Infinity
-  for (let i = 0; i + 3 < points.length; i += 3) {
-    const [px, py, pz] = [x - points[i], y - points[i + 1], z - points[i + 2]]
-    const dx = points[i + 3] - points[i]
-    const dy = points[i + 4] - points[i + 1]
-    const dz = points[i + 5] - points[i + 2]
-    const t = clamp((dx * px + dy * py + dz * pz) / (dx * dx + dy * dy + dz * dz || 1), 0, 1)
-    least = Math.min(least, length3(px - t * dx, py - t * dy, pz - t * dz))
-  }
+  for (let i = 0; 3 * i + 3 < points.length; i++)
+    least = Math.min(least, distanceToSegment(points, i, position))
   return least
 }
 
@@ -154,15 +151,6 @@ function pointAt({ points }: StrokeLine, i: number): Float64Array {
 
 function distance(a: Float64Array, b: Float64Array): number {
   return length3(a[0] - b[0], a[1] - b[1], a[2] - b[2])
-}
-
-function boxOf({ points }: StrokeLine): Float64Array {
-  const box = Float64Array.of(Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity)
-  for (const [i, value] of points.entries()) {
-    box[i % 3] = Math.min(box[i % 3], value - TOUCH)
-    box[3 + (i % 3)] = Math.max(box[3 + (i % 3)], value + TOUCH)
-  }
-  return box
 }
 
 function isInside(position: Float64Array, box: Float64Array): boolean {
