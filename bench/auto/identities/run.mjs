@@ -1,7 +1,7 @@
-// `npm run auto-tables`: measures the wrinkles of random people, see docs/auto.md. Options:
+// `npm run auto-tables`: measures the wrinkles of random people, see docs/auto-people.md. Options:
 // --identities 100: number of people. The first 30 are for calibration, the tables describe the others.
 // --calibrate: describe the first 30 instead.
-// --write: write the tables into docs/auto.md.
+// --write: write the tables into docs/auto-people.md.
 
 import { execFile } from 'node:child_process'
 import { mkdtemp, rm } from 'node:fs/promises'
@@ -27,7 +27,9 @@ await main(async () => {
     },
   })
   if (values.calibrate && values.write)
-    throw new Failure('the tables of docs/auto.md describe the people after the first 30; omit --calibrate')
+    throw new Failure(
+      'the tables of docs/auto-people.md describe the people after the first 30; omit --calibrate',
+    )
   const count = wholeNumber('identities', values.identities, values.calibrate ? 1 : CALIBRATION + 1)
   const seeds = Array.from({ length: count }, (_, i) => i + 1)
   const chosen = values.calibrate ? seeds.slice(0, CALIBRATION) : seeds.slice(CALIBRATION)
@@ -41,7 +43,7 @@ await main(async () => {
     ...identityTables(people, await skinAt(join(ROOT, 'faces/human.glb'))),
   ]
   console.info(tables.join('\n'))
-  if (values.write) writeTable('docs/auto.md', 'identities', tables)
+  if (values.write) writeTable('docs/auto-people.md', 'identities', tables)
 })
 
 /** Builds and measures the heads with the given seeds, one process per core. */

@@ -19,7 +19,7 @@ const PERCEPTIBLE = 0.2
 /** Slope of ten degrees. A steeper bank, the raised skin beside a wrinkle, would shine as a white rim. */
 const STEEPEST_BANK = 0.18
 
-/** Minimum and maximum by region, millimetres, estimated from the sources in docs/auto.md. */
+/** Minimum and maximum by region, millimetres, estimated from the sources in docs/auto-lines.md. */
 const BOUNDS = {
   foreheadInnerLeft: { expressed: [0.4, 1.6], rest70: [0.25, 0.6], width: [2, 3], spacing: [7, 15] },
   crowsFeetLeft: { expressed: [0.5, 0.9], rest70: [0.3, 0.6], width: [1, 1.6], spacing: [5, 12] },

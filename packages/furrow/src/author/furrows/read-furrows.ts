@@ -28,7 +28,7 @@ export interface FurrowRegion {
   depth: number
 }
 
-/** Furrows of adult skin. The values are between those of `furrow auto` for cheeks at 30 and at 70 years (sources in docs/auto.md). */
+/** Furrows of adult skin. The values are between those of `furrow auto` for cheeks at 30 and at 70 years (sources in docs/auto-furrows.md). */
 export const FINE_FURROW_DEFAULTS = {
   size: 1.5,
   depth: 0.05,
