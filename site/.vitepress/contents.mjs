@@ -23,6 +23,7 @@ const GUIDES = [
     doc('Drivers', 'drivers'),
     doc('Drivers in the studio', 'studio-drivers'),
     doc('Expressions', 'expressions'),
+    doc('Face tracking', 'tracking'),
     doc('Blendshapes without normals', 'morph-normals'),
   ]),
   group('Show them', [

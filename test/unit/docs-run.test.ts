@@ -2,7 +2,7 @@ import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { fileURLToPath } from 'node:url'
 import { EXPRESSIONS, type WrinkleSet } from 'furrow'
-import { FaceScores, Wrinkles } from 'furrow/three'
+import { FaceTracker, Wrinkles } from 'furrow/three'
 import { afterAll, afterEach, beforeAll, describe, expect, it, vi } from 'vitest'
 import { blendMesh } from '../blend-mesh.ts'
 import { randomSet } from '../cases.ts'
@@ -45,16 +45,33 @@ function face() {
 }
 
 describe('examples of the documentation run', () => {
-  it('expressions: follow sets the scores of each picture, and looks up names once', async () => {
+  it('tracking: follow sets the scores of each picture, and looks up names once', async () => {
     const { mesh } = face()
     const bind = vi.spyOn(mesh, 'traverse')
-    const set = vi.spyOn(FaceScores.prototype, 'set')
-    const follow = (await example('docs/expressions.md', 'follow'))(mesh)
+    const set = vi.spyOn(FaceTracker.prototype, 'set')
+    const follow = (await example('docs/tracking.md', 'follow'))(mesh)
     for (let i = 0; i < 3; i++) {
       follow({ faceBlendshapes: [{ categories: [{ categoryName: 'jawOpen', score: 0.5 }] }] })
     }
     expect(mesh.morphTargetInfluences![mesh.morphTargetDictionary!.jawOpen]).toBe(0.5)
     expect([set.mock.calls.length, bind.mock.calls.length]).toEqual([3, 1])
+  })
+
+  it('tracking: remember saves a calibration and loads it', async () => {
+    const items = new Map<string, string>()
+    vi.stubGlobal('localStorage', {
+      getItem: (key: string) => items.get(key) ?? null,
+      setItem: (key: string, value: string) => items.set(key, value),
+    })
+    const remember = await example('docs/tracking.md', 'remember')
+    const [first, second] = [new FaceTracker(face().mesh), new FaceTracker(face().mesh)]
+    const save = remember(first)
+    first.record('neutral', 1)
+    for (let time = 0; time < 2; time += 0.1) first.set({ jawOpen: 0.25 }, time)
+    save()
+    remember(second)
+    expect(second.calibration.shapes.jawOpen.neutral).toBe(0.25)
+    vi.unstubAllGlobals()
   })
 
   it('expressions: react plays expressions', async () => {

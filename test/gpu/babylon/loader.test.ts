@@ -6,7 +6,7 @@ import { Matrix, Vector3 } from '@babylonjs/core/Maths/math.vector.js'
 import type { Mesh } from '@babylonjs/core/Meshes/mesh.js'
 import type { Scene } from '@babylonjs/core/scene.js'
 import '@babylonjs/loaders/glTF/2.0/glTFLoader.js'
-import { ExpressionPlayer, FaceScores, registerWrinkleMaps, Wrinkles, wrinklesOf } from 'furrow/babylon'
+import { ExpressionPlayer, FaceTracker, registerWrinkleMaps, Wrinkles, wrinklesOf } from 'furrow/babylon'
 import { afterEach, beforeAll, describe, expect, it } from 'vitest'
 import { largestDifference, ROUNDING } from '../difference.ts'
 import { quietConsole } from '../quiet-console.ts'
@@ -98,7 +98,7 @@ describe.each(ENGINES)('a file with wrinkles in Babylon.js on %s', (name) => {
     ])
     player.play('surprised', 0)
     expect(meshes[1].morphTargetManager!.getTarget(0).influence).toBeCloseTo(0.8, 6)
-    new FaceScores(root).set([{ categoryName: 'browInnerUp', score: 0.3 }])
+    new FaceTracker(root).set([{ categoryName: 'browInnerUp', score: 0.3 }])
     expect(meshes[2].morphTargetManager!.getTarget(0).influence).toBeCloseTo(0.3, 6)
   })
 

@@ -1,7 +1,7 @@
 import { setFlagsFromString } from 'node:v8'
 import { runInNewContext } from 'node:vm'
 import { EXPRESSIONS, findTargets } from 'furrow'
-import { ExpressionPlayer, Wrinkles } from 'furrow/three'
+import { ExpressionPlayer, FaceTracker, Wrinkles } from 'furrow/three'
 import { expect, it } from 'vitest'
 import { combinableTargets } from '../../../packages/furrow/src/three/sources/combined-targets.ts'
 import { blendMesh } from '../../blend-mesh.ts'
@@ -58,6 +58,18 @@ it("allocates nothing while reading a VRM's combined blendshapes", () => {
   }
   expect(bytesPerFrame(frames)).toBeLessThan(4)
   expect([names, values]).toEqual([['cheek', 'mouth', 'happy'], Float64Array.of(0.45, 0.45, 0.9)])
+})
+
+it('allocates nothing per frame of a face tracker', () => {
+  const names = ['_neutral', 'browDownLeft', 'mouthUpperUpLeft', 'noseSneerLeft', 'jawOpen']
+  const tracker = new FaceTracker(blendMesh(...names))
+  const scores = names.map((categoryName) => ({ categoryName, score: 0.5 }))
+  // Whole numbers, because V8 allocates fractions that the test passes.
+  let time = 0
+  const frames = (count: number) => {
+    for (let i = 0; i < count; i++) tracker.set(scores, ++time)
+  }
+  expect(bytesPerFrame(frames)).toBeLessThan(4)
 })
 
 /** Returns the minimum over the rounds. An allocation of one number per frame would be 16 bytes in each of them. */

@@ -5,7 +5,7 @@ import {
   addDrivers,
   addMuscles,
   ExpressionPlayer,
-  FaceScores,
+  FaceTracker,
   RecomputedNormals,
   removeArea,
   scaleLayer,
@@ -200,12 +200,18 @@ describe('invalid arguments are refused with a message of one line', () => {
         player.update(Number.NaN)
       },
     ],
+    [/^FaceTracker: invalid face/, () => new FaceTracker(any(null)).set({ jawOpen: 1 })],
+    [/^FaceTracker: invalid scores/, () => new FaceTracker(mesh).set(any(null))],
+    [/^FaceTracker: invalid score/, () => new FaceTracker(mesh).set([any(null)])],
+    [/^FaceTracker: invalid seconds/, () => new FaceTracker(mesh).set({ jawOpen: 0 }, Number.NaN)],
+    [/^FaceTracker: invalid kind/, () => new FaceTracker(mesh).record(any('smile'))],
+    [/^FaceTracker: invalid seconds/, () => new FaceTracker(mesh).record('neutral', 0)],
     [
-      /^FaceScores: invalid face/,
-      () => new FaceScores(any(null)).set([{ categoryName: 'jawOpen', score: 1 }]),
+      /^FaceTracker: invalid mirror/,
+      () => {
+        new FaceTracker(mesh).mirror = any(1)
+      },
     ],
-    [/^FaceScores: invalid scores/, () => new FaceScores(mesh).set(any(null))],
-    [/^FaceScores: invalid score/, () => new FaceScores(mesh).set([any(null)])],
     [/^RecomputedNormals: invalid mesh/, () => new RecomputedNormals(any(null))],
     [/^RecomputedNormals: invalid mesh/, () => new RecomputedOnGpu(any(null))],
     [

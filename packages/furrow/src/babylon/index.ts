@@ -5,10 +5,14 @@
  */
 
 export type { Clock } from '../runtime/face-group.ts'
-export type { FaceScore } from '../runtime/face-scores.ts'
 export type { NamedInputs } from '../runtime/named-inputs.ts'
+export type { FaceCalibration, ShapeCalibration } from '../runtime/tracker/calibration.ts'
+export type { RecordingKind } from '../runtime/tracker/calibrator.ts'
+export type { FaceScore, FrameScores } from '../runtime/tracker/face-tracker.ts'
+export type { OneEuroOptions } from '../runtime/tracker/one-euro.ts'
+export { FACE_TRACKER_DEFAULTS, type FaceTrackerOptions } from '../runtime/tracker/options.ts'
 export { ExpressionPlayer } from './expression-player.ts'
-export { FaceScores } from './face-scores.ts'
+export { FaceTracker } from './face-tracker.ts'
 export { type LoaderOptions, WRINKLES_DEFAULTS, type WrinkleMode, type WrinklesOptions } from './options.ts'
 export { registerWrinkleMaps } from './register.ts'
 export { addDrivers, setDrivers } from './sources/drivers.ts'
