@@ -13,7 +13,7 @@ const GOLDEN_ANGLE = 2.4
 /** Maximum random distances from a dimple's regular place: along the circle, in radians, and from the centre, relative to the oval. */
 const SCATTER = [0.4, 0.07] as const
 /** Depth of a dimple (see `LineStyle.depth`) per millimetre of its width. */
-const STEEPNESS = 0.17
+const STEEPNESS = 0.25
 /** Half the width of the dimpled mound of the chin, relative to the distance of the corner of the mouth from the middle. */
 const MOUND_WIDTH = 0.78
 /** Distances, in millimetres, of the mound from the groove above the chin and from the edge below the chin. */

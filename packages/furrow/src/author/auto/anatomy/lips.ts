@@ -16,7 +16,7 @@ const RIDGE_PLACES = [-0.6, -0.45, -0.3, -0.15, 0.15, 0.3, 0.45, 0.6] as const
 interface LipLines {
   /** Numbers of lines at 20 and 80 years. */
   counts: readonly [at20: number, at80: number]
-  /** Distance in millimetres from the start of a line, on the red of the lip (vermilion), to the border of the red. Real lines cross this border. */
+  /** Part of the height of the red of the lip (vermilion) that a line covers, from the border of the red. Real lines cross this border. */
   inside: number
   /** Range of lengths outside the red, relative to the skin between the red and the nose (upper lip) or the groove above the chin (lower lip). */
   lengths: readonly [low: number, high: number]
@@ -27,15 +27,15 @@ interface LipLines {
 }
 
 const UPPER: LipLines = {
-  counts: [6, 11],
-  inside: 1,
-  lengths: [0.25, 0.8],
+  counts: [8, 14],
+  inside: 0.35,
+  lengths: [0.2, 0.85],
   depths: [0.45, 1],
   innermost: 0.24,
 }
 const LOWER: LipLines = {
-  counts: [5, 9],
-  inside: 2,
+  counts: [7, 12],
+  inside: 0.5,
   lengths: [0.45, 0.95],
   depths: [0.6, 1],
   innermost: 0,
@@ -45,7 +45,7 @@ const OUTERMOST = 0.8
 /** Minimum length of a line outside the red, in millimetres. */
 const MIN_LENGTH = 2.5
 /** Depths along a line, from its start in the red. */
-const DEPTHS = [0.7, 1, 0.9, 0.65, 0.4]
+const DEPTHS = [0.45, 0.9, 1, 0.75, 0.4]
 /** Minimum fraction of length that pursed lips lose. Blendshapes of many heads push the lips forwards without compressing all of their skin. */
 const COMPRESSION = 0.1
 /** Exponent applied to the position of a line between middle (0) and corner of the mouth (1). Below 1, lines are closer together near the corners. */
@@ -67,11 +67,12 @@ function lip(context: FaceContext, name: string, away: 1 | -1): FaceRegion {
   const draw = (rng: FaceRng, i: number): Guide => {
     const place = (2 * (i + 0.5 + rng.across(0.42))) / lines - 1
     const across = Math.sign(place) * corner * lerp(innermost, OUTERMOST, power(Math.abs(place), CROWDING))
-    const { up: from, space } = border(across)
+    const { up: from, red, space } = border(across)
     // Beside the nose, long lines would reach the nasolabial fold.
     const shortening = 1 - (0.5 * across * across) / (corner * corner)
-    const length = inside + Math.max(MIN_LENGTH, space * shortening * rng.uniform(...lengths))
-    const start = from - away * inside
+    const begin = inside * red
+    const length = begin + Math.max(MIN_LENGTH, space * shortening * rng.uniform(...lengths))
+    const start = from - away * begin
     const lean = 0.08 * across + rng.across(1.2)
     const depth = rng.uniform(...depths)
     // A line in the middle would lie in the philtrum, so it vanishes on a symmetric face.
@@ -84,7 +85,7 @@ function lip(context: FaceContext, name: string, away: 1 | -1): FaceRegion {
         [across + 0.6 * lean, start + (away * 2 * length) / 3],
         [across + lean, start + away * length],
       ),
-      width: byAge(1.2, 1.5),
+      width: byAge(1.7, 2.1),
       depth: isMiddle ? rng.towards(0, depth) : depth,
       depths: DEPTHS,
       taper: [0.4, 0.7],
@@ -107,8 +108,11 @@ function lip(context: FaceContext, name: string, away: 1 | -1): FaceRegion {
   }
 }
 
-/** Returns the height of a lip's border at a distance from the middle of the face, and the length of the skin beside it, in millimetres. */
-type Border = (across: number) => { up: number; space: number }
+/**
+ * Returns the height of a lip's border at a distance from the middle of the face, the height of the lip's red there, and the length of the skin
+ * beside it, in millimetres.
+ */
+type Border = (across: number) => { up: number; red: number; space: number }
 
 /**
  * The red of the upper lip ends at a ridge between the mouth and the nose. The height of the ridge is the median of several places, because single
@@ -128,8 +132,9 @@ function upperBorder(context: FaceContext): Border {
     }),
   )
   return (across) => {
-    const up = lineAt(across) + highest * redAt(across / corner)
-    return { up, space: landmarks.noseBase - up }
+    const red = highest * redAt(across / corner)
+    const up = lineAt(across) + red
+    return { up, red, space: landmarks.noseBase - up }
   }
 }
 
@@ -144,7 +149,8 @@ function lowerBorder(context: FaceContext): Border {
   const groove = chinGroove(context)
   const height = mouth - lerp(mouthLine(context, 0), groove, LOWER_RED)
   return (across) => {
-    const up = mouth - height * redAt(across / corner)
-    return { up, space: up - groove }
+    const red = height * redAt(across / corner)
+    const up = mouth - red
+    return { up, red, space: up - groove }
   }
 }

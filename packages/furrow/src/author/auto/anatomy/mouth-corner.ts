@@ -39,7 +39,7 @@ export function mouthCorner(
     {
       path: relaxedPath(moved, arc),
       width: byAge(2.8, 3.4),
-      depth: rng.uniform(0.7, 1),
+      depth: byAge(1, 0.5) * rng.uniform(0.7, 1),
       depths: [0.5, 0.9, 1, 0.9, 0.5],
       taper: [0.5, 0.5],
       // The bank is almost flat on the side of the lips.
@@ -69,7 +69,7 @@ export function mouthCorner(
   }
   return {
     name: `mouthCorner${name}`,
-    cause: { [`mouthDimple${name}`]: 1, [`mouthFrown${name}`]: 0.6, [`mouthSmile${name}`]: 0.4 },
+    cause: { [`mouthDimple${name}`]: 1, [`mouthFrown${name}`]: 0.6, [`mouthSmile${name}`]: 0.2 },
     guides,
     spacing: 6,
     creasedFraction: byAge(0.4, 0.7),

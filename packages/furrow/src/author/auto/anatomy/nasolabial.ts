@@ -30,7 +30,7 @@ export function nasolabial(context: FaceContext, side: Side, name: string): Face
   const height = landmarks.noseBase + START + rng.jitter(1.5)
   const start = smiling(wingGroove(context, side, height), height)
   const corner = smiling(...chartPointOf(landmarks.mouthCorner))
-  const end = [corner[0] + BESIDE_MOUTH + rng.jitter(1), corner[1] - byAge(3, 13) + rng.jitter(2.5)] as const
+  const end = [corner[0] + BESIDE_MOUTH + rng.jitter(1), corner[1] - byAge(2, 9) + rng.jitter(2.5)] as const
   const [dx, dy] = [end[0] - start[0], end[1] - start[1]]
   const handle = HANDLE * length2(dx, dy)
   // The fold leaves the nose outside the chord, and runs downwards beside the mouth.
@@ -61,7 +61,7 @@ export function nasolabial(context: FaceContext, side: Side, name: string): Face
         // The cheek hangs over the fold, so the bank on the cheek's side is higher.
         shoulder: side > 0 ? [1, 0.15] : [0.15, 1],
         lean: side * 0.25,
-        softness: byAge(0.5, 0.3),
+        softness: byAge(0.6, 0.45),
       },
     ],
     spacing: 12,

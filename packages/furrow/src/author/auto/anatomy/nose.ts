@@ -18,7 +18,7 @@ const START = [3, 9] as const
 const END = [24, 38] as const
 /** Directions from the corner of the eye in degrees below the horizontal. Folds fade in from the first to the second. */
 const UPPER_EDGE = [-14, 10] as const
-const CHEEK = [84, 56] as const
+const CHEEK = [78, 50] as const
 /** Distances from the middle of the face, in millimetres. On the ridge of the nose, folds fade in from the first to the second. */
 const RIDGE = [0, 6] as const
 /** Factor on the slope of the folds. With a factor of 1, they would lie on lines through the corner of the eye. */
