@@ -2,10 +2,6 @@ import { lerp } from '../../../math/scalar.ts'
 import { bezierPath, chartPointOf, type FaceContext, type Side } from '../anatomy/region.ts'
 import { type BulgeRegion, unevenness } from './bulge-region.ts'
 
-/** Range of distances below the centre of the closed lids in which the margin of the lower lid is searched, and the step, in millimetres. */
-const SEARCHED = { from: 12, to: 5, step: 0.5 } as const
-/** Distance of the margin below the centre of the closed lids, in millimetres, if the mesh has no hole at the eye. */
-const USUAL_MARGIN = 8
 /** Distances below the margin of the lower lid, in millimetres: crest of the bag, and groove below the bag. */
 const CREST = 7.2
 const GROOVE = 13
@@ -14,13 +10,12 @@ const GROOVE = 13
  * Returns the bag under the eye: fat of the orbit that pushes the lower lid forward. Below it, skin is tied to the rim of the orbit and forms a
  * groove (tear trough and palpebromalar groove). Above it, the muscle along the lid's margin forms a narrow roll.
  */
-export function bag(context: FaceContext, side: Side, name: string): BulgeRegion {
-  const { landmarks, rngOf } = context
+export function bag({ landmarks, openingOf, rngOf }: FaceContext, side: Side, name: string): BulgeRegion {
   const rng = rngOf(`bag${name}`)
   const [inner] = chartPointOf(landmarks.innerCorner)
   const [outer] = chartPointOf(landmarks.outerCorner)
   const at = (fraction: number) => lerp(inner, outer, fraction)
-  const margin = lidMargin(context, side * at(0.5))
+  const margin = openingOf(side).lowest
   const size = unevenness(rng)
   const [sag, slant, shift] = [rng.jitter(1), rng.jitter(1), rng.jitter(0.04)]
   const crest = margin - CREST - sag
@@ -67,12 +62,4 @@ export function bag(context: FaceContext, side: Side, name: string): BulgeRegion
       },
     ],
   }
-}
-
-/** Returns the chart's `up` coordinate of the margin of the lower lid, which is the lower edge of the hole at the eye. */
-function lidMargin({ landmarks, radiusAt }: FaceContext, across: number): number {
-  const eye = landmarks.eye[1]
-  for (let below: number = SEARCHED.from; below >= SEARCHED.to; below -= SEARCHED.step)
-    if (radiusAt([across, eye - below]) === undefined) return eye - below
-  return eye - USUAL_MARGIN
 }
