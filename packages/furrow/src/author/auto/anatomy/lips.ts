@@ -108,11 +108,15 @@ function lip(context: FaceContext, name: string, away: 1 | -1): FaceRegion {
   }
 }
 
-/**
- * Returns the height of a lip's border at a distance from the middle of the face, the height of the lip's red there, and the length of the skin
- * beside it, in millimetres.
- */
-type Border = (across: number) => { up: number; red: number; space: number }
+/** Returns measures of a lip, in millimetres, at a distance from the middle of the face. */
+type Border = (across: number) => {
+  /** Height of the border of the red. */
+  up: number
+  /** Height of the red. */
+  red: number
+  /** Length of the skin beyond the border. */
+  space: number
+}
 
 /**
  * The red of the upper lip ends at a ridge between the mouth and the nose. The height of the ridge is the median of several places, because single
