@@ -65,6 +65,15 @@ export function addCheck(name, checked, onChange) {
   controls().append(label)
 }
 
+/** Adds a text field. Returns a function that reads the text. */
+export function addField(name, value) {
+  const label = document.createElement('label')
+  const input = Object.assign(document.createElement('input'), { type: 'text', value })
+  label.append(name, input)
+  controls().append(label)
+  return () => input.value
+}
+
 /** Adds an empty text block, which can hold several lines. Returns a function that sets the text. */
 export function addText() {
   const text = document.createElement('pre')
@@ -102,6 +111,7 @@ export function controls() {
     form { display: flex; flex-wrap: wrap; gap: 6px 14px; padding: 10px; max-height: 32vh; overflow-y: auto; box-sizing: border-box }
     form label { display: flex; align-items: center; gap: 6px; min-height: 32px }
     form input[type=range] { width: 110px }
+    form input[type=text] { width: 110px }
     form pre { flex-basis: 100%; min-width: 0; margin: 0; min-height: 9em; font-size: 12px; white-space: pre-wrap; overflow-wrap: anywhere }
     form output { width: 2.6em; font-variant-numeric: tabular-nums }
     form div { display: flex; flex-wrap: wrap; gap: 6px; flex-basis: 100% }

@@ -1,9 +1,10 @@
 // Opens the examples that examples.test.ts does not open, and tests further features of some examples.
 
+import type { Page } from 'playwright-core'
 import { expect, test } from 'vitest'
-import { BROWS, EXAMPLES } from './examples.ts'
+import { BROWS, CHEEKS, EXAMPLES } from './examples.ts'
 import { savePicture, setControls, useExamples } from './open-example.ts'
-import { readNextFrame, switchWrinkles } from './paused-page.ts'
+import { readNextFrame, SECOND, switchWrinkles } from './paused-page.ts'
 import { largestDifference, meanDifference, WHOLE } from './pixels.ts'
 import { readCanvas } from './read-canvas.ts'
 
@@ -55,3 +56,65 @@ test('crowd.html shows faces that wrinkle independently', () =>
     const changed = columns.filter((column) => largestDifference(wrinkled, smooth, column) > 20)
     expect(changed.length).toBeGreaterThanOrEqual(2)
   }))
+
+/** A stand-in for MediaPipe, whose scores are those of the page. */
+const LANDMARKER = `
+  export const FilesetResolver = { forVisionTasks: async (folder) => folder }
+  export const FaceLandmarker = {
+    createFromOptions: async (folder, { baseOptions }) => {
+      Object.assign(window, { addresses: [folder, baseOptions.modelAssetPath] })
+      return {
+        detectForVideo: () => ({
+          faceBlendshapes: [{
+            categories: Object.entries(window.scores).map(([categoryName, score]) => ({ categoryName, score })),
+          }],
+        }),
+      }
+    },
+  }`
+
+test('webcam.html calibrates and follows a camera, and sends nothing', () =>
+  open('webcam.html?seconds=0', async (page) => {
+    const headers = { 'access-control-allow-origin': '*' }
+    const requests: string[] = []
+    await page.route('https://mediapipe.test/**', (route) => {
+      requests.push(`${route.request().method()} ${route.request().url()}`)
+      return route.fulfill({ contentType: 'text/javascript', headers, body: LANDMARKER })
+    })
+    await page.evaluate(`
+      window.scores = { browDownLeft: 0.7, browDownRight: 0.7, mouthSmileLeft: 0, mouthSmileRight: 0 }
+      navigator.mediaDevices.getUserMedia = async () => new MediaStream()
+      HTMLMediaElement.prototype.play = async () => {}`)
+    const rest = await readCanvas(page)
+    await page.getByLabel('MediaPipe').fill('https://mediapipe.test')
+    await page.getByLabel('model').fill('https://mediapipe.test/face.task')
+    await page.getByText('camera', { exact: true }).dispatchEvent('click')
+    await page.waitForFunction('window.addresses')
+    const biased = await settle(page)
+    expect(largestDifference(rest, biased, BROWS)).toBeGreaterThan(10)
+    expect(await page.evaluate('window.addresses')).toEqual([
+      'https://mediapipe.test/wasm',
+      'https://mediapipe.test/face.task',
+    ])
+
+    await page.getByText('relax', { exact: true }).dispatchEvent('click')
+    const relaxed = await settle(page)
+    expect(largestDifference(rest, relaxed, BROWS)).toBeLessThan(3)
+    await page.evaluate('window.scores.mouthSmileLeft = 1')
+    const smiling = await settle(page)
+    const [left, right] = [
+      { ...CHEEKS, right: 0.5 },
+      { ...CHEEKS, left: 0.5 },
+    ]
+    expect(largestDifference(rest, smiling, left)).toBeGreaterThan(largestDifference(rest, smiling, right))
+
+    await page.getByText('save', { exact: true }).dispatchEvent('click')
+    expect(JSON.parse(await page.evaluate('localStorage.calibration')).version).toBe(1)
+    expect(requests).toEqual(['GET https://mediapipe.test/vision_bundle.mjs'])
+  }))
+
+/** Draws frames three seconds apart, until recordings and transitions have ended. */
+async function settle(page: Page) {
+  for (let i = 0; i < 3; i++) await page.clock.fastForward(3 * SECOND)
+  return readNextFrame(page)
+}

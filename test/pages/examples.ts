@@ -157,6 +157,7 @@ export const EXAMPLES: readonly Example[] = [
     atRest: { happy: 0, blink: 0 },
     region: CHEEKS,
   },
+  { page: 'webcam', query: '?seconds=4', atRest: { seconds: 0 }, region: CHEEKS },
   { page: 'webgpu', region: FOREHEAD, quick: true },
   { page: 'webgpu-postprocessing', query: '?bloom=0.2', atRest: { neutral: true }, region: BROWS },
   {
