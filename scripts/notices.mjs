@@ -89,7 +89,7 @@ function readLicence({ name, path }) {
   const folder = join(ROOT, path)
   const files = readdirSync(folder)
     .sort()
-    .filter((file) => /^(licen[cs]e|notices?|third.*notices?)\b/i.test(file))
+    .filter((file) => /^(licen[cs]e|copying|notices?|third.*notices?)\b/i.test(file))
     .map((file) => join(folder, file))
   const own = join(LICENCES, `${name}.txt`)
   if (files.length === 0 && existsSync(own)) files.push(own)

@@ -8,6 +8,7 @@ const COMMANDS = {
   bake: async () => (await import('../packages/cli/src/commands/bake.ts')).bakeCommand,
   batch: async () => (await import('../packages/cli/src/batch/commands/batch.ts')).batchCommand,
   inspect: async () => (await import('../packages/cli/src/commands/inspect.ts')).inspectCommand,
+  live: async () => (await import('../packages/cli/src/commands/live.ts')).liveCommand,
   normals: async () => (await import('../packages/cli/src/commands/normals.ts')).normalsCommand,
   pack: async () => (await import('../packages/cli/src/commands/pack.ts')).packCommand,
   render: async () => (await import('../packages/cli/src/commands/render.ts')).renderCommand,

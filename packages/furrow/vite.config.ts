@@ -66,7 +66,7 @@ const CHUNKS: [chunk: string, pattern: RegExp][] = [
 ]
 
 /** Folders whose modules belong to one entry. They are put into the file of this entry. */
-const SINGLE_ENTRY = /^(author|gltf|inspector)\//
+const SINGLE_ENTRY = /^(author|gltf|inspector|live)\//
 
 /** Chunks of modules that are only loaded by a dynamic import. A module is put into the first chunk whose pattern matches its path. */
 const LAZY_CHUNKS: typeof CHUNKS = [

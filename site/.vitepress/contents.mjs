@@ -24,6 +24,7 @@ const GUIDES = [
     doc('Drivers in the studio', 'studio-drivers'),
     doc('Expressions', 'expressions'),
     doc('Face tracking', 'tracking'),
+    doc('Live trackers', 'live'),
     doc('Blendshapes without normals', 'morph-normals'),
   ]),
   group('Show them', [

@@ -16,6 +16,7 @@ const ERRORS = {
   'furrow/react/webgpu': '({ extendLoader }) => extendLoader(null)',
   'furrow/babylon': '({ Wrinkles }) => new Wrinkles(null)',
   'furrow/author': '({ parseStrokes }) => parseStrokes({ version: 99 })',
+  'furrow/live': '({ connectLive }) => connectLive("http://localhost", () => {})',
   'furrow/gltf': `async ({ FurrowWrinkleMaps }) => {
     const document = new Document()
     const maps = document.createExtension(FurrowWrinkleMaps)

@@ -57,6 +57,19 @@ describe('examples of the documentation run', () => {
     expect([set.mock.calls.length, bind.mock.calls.length]).toEqual([3, 1])
   })
 
+  it('live: followLive sets the scores of each message', async () => {
+    let socket: { onmessage?: (event: { data: string }) => void } = {}
+    vi.stubGlobal('WebSocket', function WebSocket(this: typeof socket) {
+      socket = this
+    })
+    const { mesh } = face()
+    const followLive = await example('docs/live.md', 'followLive')
+    followLive(mesh, 'ws://127.0.0.1:8765/?token=x')
+    socket.onmessage!({ data: JSON.stringify({ source: 'vmc', time: 1, scores: { JawOpen: 0.5 } }) })
+    expect(mesh.morphTargetInfluences![mesh.morphTargetDictionary!.jawOpen]).toBe(0.5)
+    vi.unstubAllGlobals()
+  })
+
   it('tracking: remember saves a calibration and loads it', async () => {
     const items = new Map<string, string>()
     vi.stubGlobal('localStorage', {

@@ -9,6 +9,7 @@ import { arrayCommand } from './commands/array.ts'
 import { autoCommand } from './commands/auto.ts'
 import { bakeCommand } from './commands/bake.ts'
 import { inspectCommand } from './commands/inspect.ts'
+import { liveCommand } from './commands/live.ts'
 import { normalsCommand } from './commands/normals.ts'
 import { packCommand } from './commands/pack.ts'
 import { renderCommand } from './commands/render.ts'
@@ -39,6 +40,7 @@ for (const command of [
   bakeCommand,
   batchCommand,
   inspectCommand,
+  liveCommand,
   normalsCommand,
   packCommand,
   renderCommand,

@@ -1,0 +1,45 @@
+import { fromBuffer, type OscPacketOutput } from 'osc-min'
+import {
+  finiteOrNull,
+  type LiveSource,
+  MAX_NAME,
+  MAX_SCORES,
+  type PacketReader,
+  type Scores,
+} from './source.ts'
+
+/** Maximum nesting of OSC bundles. */
+const MAX_DEPTH = 4
+
+/**
+ * Virtual Motion Capture protocol, over Open Sound Control: `/VMC/Ext/Blend/Val (string)name (float)value` for each blendshape, then
+ * `/VMC/Ext/Blend/Apply`. Other messages are ignored. Source: https://protocol.vmc.info/marionette-spec.html.
+ */
+export const VMC: LiveSource = { port: 39539, createReader }
+
+function createReader(): PacketReader {
+  // Values stay until they are sent again, because some programs send only changes.
+  const scores = new Map<string, number>()
+  let frame: Scores | null = null
+  const read = (packet: OscPacketOutput, depth: number) => {
+    if (packet.oscType === 'bundle') {
+      if (depth < MAX_DEPTH) for (const element of packet.elements) read(element, depth + 1)
+    } else if (packet.address === '/VMC/Ext/Blend/Val') {
+      const [name, value] = packet.args
+      if (name?.type !== 'string' || value?.type !== 'float' || name.value.length > MAX_NAME) return
+      if (scores.size < MAX_SCORES || scores.has(name.value)) scores.set(name.value, value.value)
+    } else if (packet.address === '/VMC/Ext/Blend/Apply') {
+      frame = finiteOrNull(Object.fromEntries(scores))
+    }
+  }
+  return (packet) => {
+    frame = null
+    try {
+      // The copy has its own memory, because a malformed packet can make the parser read before its beginning.
+      read(fromBuffer(Uint8Array.from(packet)), 0)
+    } catch {
+      return null
+    }
+    return frame
+  }
+}
