@@ -96,11 +96,13 @@ const WITHIN = [
     folder: 'author/auto',
     rooms: [
       'surface',
+      'skeleton',
       'buckling',
       'anatomy',
       'strain',
       'lines',
       'fit',
+      'limbs',
       'raster',
       'blood',
       'bulges',

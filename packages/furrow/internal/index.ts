@@ -11,11 +11,18 @@ export type { BulgeArea } from '../src/author/auto/bulges/draw-bulges.ts'
 export type { MissingRegion } from '../src/author/auto/fit/fit-driver.ts'
 export type { AutoFurrows, FurrowArea } from '../src/author/auto/furrows/draw-net.ts'
 export { halfSide, heightLevels } from '../src/author/auto/raster/half-side.ts'
+export { findBody } from '../src/author/auto/skeleton/body.ts'
+export { limbsOf } from '../src/author/auto/skeleton/limbs-of.ts'
 export { type StrainMap, strainMaps } from '../src/author/auto/strain-map.ts'
 export { MAX_SKIN_TRIANGLES } from '../src/author/auto/surface/check-skin.ts'
-export { chooseSkin, type SkinCandidate, type SkinChoice } from '../src/author/auto/surface/choose-skin.ts'
+export {
+  chooseSkin,
+  FACE_MOVERS,
+  type SkinCandidate,
+  type SkinChoice,
+} from '../src/author/auto/surface/choose-skin.ts'
 export { middleOf } from '../src/author/auto/surface/detect-face.ts'
-export { joinParts, type SkinPart } from '../src/author/auto/surface/join-parts.ts'
+export { joinParts, type PartInfluences, type SkinPart } from '../src/author/auto/surface/join-parts.ts'
 export type { LandmarkPosition as Place, Landmarks } from '../src/author/auto/surface/landmarks.ts'
 export { skinSurface } from '../src/author/auto/surface/skin-surface.ts'
 export { faceShapeFinder } from '../src/author/auto/surface/stand-ins.ts'

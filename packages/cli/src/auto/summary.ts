@@ -1,6 +1,7 @@
 import { join } from 'node:path'
-import type { AutoWrinkles } from 'furrow/author'
-import { type Cost, type FoundSkin, kilobytes } from 'furrow-files'
+import type { AutoArea, AutoWrinkles } from 'furrow/author'
+import { type Cost, kilobytes } from 'furrow-files'
+import type { WrinkledSurface } from './wrinkle-surface.ts'
 
 interface Outputs {
   output: string
@@ -10,25 +11,32 @@ interface Outputs {
 }
 
 export function summaryOf(
-  wrinkles: AutoWrinkles,
-  { meshName, materialName, reason }: FoundSkin,
+  made: readonly WrinkledSurface[],
   { output, symmetry, report }: Outputs,
   bytes: number,
-  cost: Cost,
+  warnings: readonly string[],
 ) {
-  const { layers, areas, missing, landmarks, warnings, seed } = wrinkles
+  const [{ wrinkles }, ...others] = made
   return {
     file: output,
     ...(report !== undefined && { report: join(report, 'index.html') }),
-    mesh: meshName,
-    material: materialName,
-    reason,
     bytes,
-    cost,
-    isFace: landmarks !== undefined,
-    seed,
+    isFace: wrinkles.landmarks !== undefined,
     symmetry,
+    ...surfaceSummary(made[0]),
+    others: others.map(surfaceSummary),
     warnings,
+  }
+}
+
+function surfaceSummary({ found, wrinkles, cost }: WrinkledSurface) {
+  const { layers, areas, jointAreas, missing, seed } = wrinkles
+  return {
+    mesh: found.meshName,
+    material: found.materialName,
+    reason: found.reason,
+    cost,
+    seed,
     layers: layers.map(({ name }) => name),
     areas: areas.map(({ name, layer, driver, compression, error, lines }) => ({
       name,
@@ -37,6 +45,14 @@ export function summaryOf(
       compression,
       error,
       links: driver.targets,
+    })),
+    jointAreas: jointAreas.map(({ name, layer, drivers, compression, error, lines }) => ({
+      name,
+      layer,
+      lines,
+      compression,
+      error,
+      joints: drivers.map(({ joints: [, joint] }) => joint),
     })),
     areasWithoutLines: areasWithoutLines(wrinkles),
     missing,
@@ -52,27 +68,44 @@ function areasWithoutLines({ blood, bulges, furrows }: AutoWrinkles): string[] {
 const OTHER_TOOLS =
   'tools such as glTF-Transform drop the wrinkles: optimise the file before furrow auto, or register FurrowWrinkleMaps'
 
-export function summaryLines(
-  wrinkles: AutoWrinkles,
-  { meshName, materialName, reason }: FoundSkin,
-  { output, report, ktx2 }: Outputs,
-  cost: Cost,
-): string[] {
-  const { layers, areas, missing, seed } = wrinkles
-  const others = areasWithoutLines(wrinkles)
-  const count = areas.length + others.length
-  const head = `${output}: mesh "${meshName}", material "${materialName}" (${reason}); layers: ${layers.length}; areas: ${count}; seed: ${seed}`
-  const rows = areas.map(({ name, layer, compression, error, driver }) => {
-    const links = driver.targets.map(({ name: target, weight }) => `${target} ${weight ?? 1}`).join(', ')
-    const percent = `${Math.round(100 * compression)}%`.padStart(4)
-    return `  ${name.padEnd(20)} layer ${layer + 1}  compression ${percent}  error ${error.toFixed(2)}  ${links}`
-  })
-  const otherRows = others.length > 0 ? [`  without lines: ${others.join(', ')}`] : []
+export function summaryLines(made: readonly WrinkledSurface[], { output, report, ktx2 }: Outputs): string[] {
   const page = report === undefined ? [] : [`${join(report, 'index.html')}: the report`]
   const advice = `${ktx2 ? 'fewer --layers' : '--ktx2'} or a smaller --size saves memory`
-  const onPhone = ktx2 ? ` (${kilobytes(cost.phone)} on a phone, as ASTC)` : ''
-  const sizes = `wrinkles: ${kilobytes(cost.file)} in the file, ${kilobytes(cost.gpu)} on the GPU${onPhone}; ${advice}`
-  return [head, ...rows, ...otherRows, ...missingRows(missing), sizes, ...page, OTHER_TOOLS]
+  const total = (size: keyof Cost) => kilobytes(made.reduce((sum, { cost }) => sum + cost[size], 0))
+  const onPhone = ktx2 ? ` (${total('phone')} on a phone, as ASTC)` : ''
+  const sizes = `wrinkles: ${total('file')} in the file, ${total('gpu')} on the GPU${onPhone}; ${advice}`
+  return [...made.flatMap((surface) => surfaceLines(surface, output)), sizes, ...page, OTHER_TOOLS]
+}
+
+function surfaceLines({ found, wrinkles }: WrinkledSurface, output: string): string[] {
+  const { meshName, materialName, reason } = found
+  const { layers, areas, jointAreas, missing, seed } = wrinkles
+  const others = areasWithoutLines(wrinkles)
+  const count = areas.length + jointAreas.length + others.length
+  const head = `${output}: mesh "${meshName}", material "${materialName}" (${reason}); layers: ${layers.length}; areas: ${count}; seed: ${seed}`
+  const rows = areas.map((area) => {
+    const links = area.driver.targets.map(({ name: target, weight }) => `${target} ${weight ?? 1}`)
+    return areaRow(area, links)
+  })
+  const jointRows = jointAreas.map((area) => {
+    const joints = area.drivers.map(({ joints: [, joint], curve }) => `${joint} ${degrees(curve)}`)
+    return areaRow(area, joints)
+  })
+  const otherRows = others.length > 0 ? [`  without lines: ${others.join(', ')}`] : []
+  return [head, ...rows, ...jointRows, ...otherRows, ...missingRows(missing)]
+}
+
+function areaRow(
+  { name, layer, compression, error }: Pick<AutoArea, 'name' | 'layer' | 'compression' | 'error'>,
+  links: readonly string[],
+): string {
+  const percent = `${Math.round(100 * compression)}%`.padStart(4)
+  return `  ${name.padEnd(20)} layer ${layer + 1}  compression ${percent}  error ${error.toFixed(2)}  ${links.join(', ')}`
+}
+
+/** Returns the largest angle of a curve over an angle in radians. */
+function degrees(curve: readonly (readonly number[])[]): string {
+  return `${Math.round((curve[curve.length - 1][0] * 180) / Math.PI)} degrees`
 }
 
 /** Returns one line per reason why regions of the face got no wrinkles. */

@@ -1,32 +1,24 @@
 import { join } from 'node:path'
-import { Option } from 'commander'
+import { InvalidArgumentError, Option } from 'commander'
 import { FurrowError } from 'furrow'
-import { AUTO_DEFAULTS, AUTO_REGIONS, type AutoRegion, autoWrinkles } from 'furrow/author'
-import { AUTO_STEPS, BULGES_FROM, strokesOf, WRINKLE_MAPS } from 'furrow/internal'
+import { AUTO_DEFAULTS, AUTO_REGIONS, type AutoRegion } from 'furrow/author'
+import { AUTO_STEPS, BULGES_FROM, strokesOf } from 'furrow/internal'
 import {
-  addNormals,
   checkBasisSize,
   checkTriangles,
-  correctionsIn,
-  costOf,
   documentOf,
-  embedWrinkles,
   type FoundSkin,
-  faceWarnings,
-  findSkin,
-  type Glb,
-  inspectWrinkles,
+  findSurfaces,
   jsonFile,
-  parseWrinkledFile,
+  SURFACE_KINDS,
+  type SurfaceKind,
   shadingOf,
-  stripWrinkles,
-  strokesIn,
-  withCommandErrors,
 } from 'furrow-files'
-import { FACE_EXTENSIONS, packAuto, readGlbFile } from 'furrow-files/node'
+import { FACE_EXTENSIONS, readGlbFile } from 'furrow-files/node'
 import { makeReport } from '../auto/report/make-report.ts'
 import { Steps } from '../auto/steps.ts'
 import { summaryLines, summaryOf } from '../auto/summary.ts'
+import { type WrinkledSurface, wrinkleSurface } from '../auto/wrinkle-surface.ts'
 import { createCommand } from '../command.ts'
 import { faceFiles } from '../face-outputs.ts'
 import { writeAll } from '../files.ts'
@@ -39,11 +31,9 @@ const WHO = 'furrow auto'
 
 const SIZES = ['512', '1024', '2048', '4096'] as const
 
-/** Number of progress steps before and after `autoWrinkles`: read, encode, write. A report adds `REPORT_STEPS`. */
-const OWN_STEPS = 3
+/** Number of progress steps before and after `autoWrinkles`: read, encode, other meshes, write. A report adds `REPORT_STEPS`. */
+const OWN_STEPS = 4
 const REPORT_STEPS = 2
-
-const WITHOUT_NORMALS = 'the mesh has no normals; smooth normals were added, because wrinkles need them'
 
 /** Default maximum number of layers with lines, with `--ktx2`. Two layers of 1024 x 1024 texels take 2 MB in the file. */
 const KTX2_LAYERS = 2
@@ -56,6 +46,7 @@ interface Options {
   seed?: number
   symmetry: number
   mesh?: string
+  kind?: Map<string, SurfaceKind>
   layers?: number
   areas: number
   furrows?: boolean
@@ -75,9 +66,9 @@ const fraction = numberParser({ min: 0, max: 1 })
 const count = (min: number, max: number) => numberParser({ min, max, integer: true })
 
 export const autoCommand = createCommand('auto')
-  .description('generate wrinkles from the blendshapes of a face')
-  .argument('<face>', 'face with blendshapes (.glb, .vrm, .gltf)')
-  .requiredOption('-o, --output <file>', 'face with wrinkles (.glb, .vrm, .gltf)')
+  .description('generate wrinkles from blendshapes and joints')
+  .argument('<face>', 'character with blendshapes or joints (.glb, .vrm, .gltf)')
+  .requiredOption('-o, --output <file>', 'character with wrinkles (.glb, .vrm, .gltf)')
   .option(
     '--age <years>',
     `age, 20 to 80; also ages the neutral face if given, with bulges from ${BULGES_FROM} on (default: ${AUTO_DEFAULTS.age})`,
@@ -98,7 +89,11 @@ export const autoCommand = createCommand('auto')
     fraction,
     AUTO_DEFAULTS.symmetry,
   )
-  .option('--mesh <name>', 'mesh to wrinkle (default: detected from its blendshapes)')
+  .option(
+    '--mesh <name>',
+    'only mesh to wrinkle (default: the face, and all skin of hands and necks that joints move)',
+  )
+  .option('--kind <mesh=kind...>', `what a mesh or material is: ${SURFACE_KINDS.join(', ')}`, parseKind)
   .option(
     '--layers <count>',
     `maximum number of layers, 1 to 4 (default: ${AUTO_DEFAULTS.layers}; with --ktx2: ${KTX2_LAYERS}, plus 1 with --furrows, plus 1 with --age over ${BULGES_FROM})`,
@@ -119,9 +114,19 @@ export const autoCommand = createCommand('auto')
     `
 Examples:
   $ furrow auto avatar.glb -o wrinkled.glb
-  $ furrow auto avatar.glb -o old.glb --age 70 --size 2048 --report report`,
+  $ furrow auto avatar.glb -o old.glb --age 70 --size 2048 --report report
+  $ furrow auto body.glb -o wrinkled.glb --kind Body=skin`,
   )
   .action(auto)
+
+/** Parses one value of `--kind`, and adds it to the values before. */
+function parseKind(text: string, before: Map<string, SurfaceKind> = new Map()): Map<string, SurfaceKind> {
+  const at = text.lastIndexOf('=')
+  const kind = SURFACE_KINDS.find((name) => name === text.slice(at + 1))
+  if (at < 1 || !kind)
+    throw new InvalidArgumentError(`It must be MESH=KIND, with one of the kinds ${SURFACE_KINDS.join(', ')}.`)
+  return new Map([...before, [text.slice(0, at), kind]])
+}
 
 async function auto(face: string, options: Options): Promise<void> {
   const {
@@ -160,38 +165,47 @@ async function auto(face: string, options: Options): Promise<void> {
   if (strokes !== undefined) await checkOutputs([strokes], WHO, { ...rules, extensions: ['.json'] })
   const replacing = { named: [output, strokes], force: options.force ?? false }
   const total = OWN_STEPS + AUTO_STEPS.length + (report === undefined ? 0 : REPORT_STEPS)
-  const { found, wrinkles, cost, bytes, warnings } = await withBar('auto', async (progress) => {
+  const { made, bytes, warnings } = await withBar('auto', async (progress) => {
     const steps = new Steps(progress, total)
     steps.begin('reading')
     const glb = await readGlbFile(face, WHO, options)
     checkTriangles(glb, WHO, mesh)
     const document = await documentOf(glb, face, WHO)
-    const found = findSkin(document, face, WHO, mesh, (i) => shadingOf(glb.json, i) !== 'unlit')
-    const { corrections, problem } = correctionsIn(glb.json, found.material, 'a correction is left out')
-    const seed = options.seed ?? seedIn(glb, found)
-    removeOldWrinkles(glb, found, options.replace ?? false)
-    const skinWarnings = problem === undefined ? [] : [problem]
-    if (addNormals(glb, document, found.mesh) > 0) skinWarnings.push(WITHOUT_NORMALS)
-    skinWarnings.push(...faceWarnings(glb.json, found, found.materialName, WHO))
-    const frame = found.hasTangents ? 'orthonormal' : 'derivative'
-    const wrinkles = withCommandErrors(WHO, () =>
-      autoWrinkles(
-        found.skin,
-        { ...settings, ...(seed !== undefined && { seed }), frame },
+    const isLit = (i: number) => shadingOf(glb.json, i) !== 'unlit'
+    const { surfaces, notes } = findSurfaces(document, face, WHO, { mesh, kinds: options.kind, isLit })
+    const source = { glb, document, who: WHO }
+    const surfaceSettings = {
+      options: { ...settings, ...(options.seed !== undefined && { seed: options.seed }) },
+      ktx2,
+      replace: options.replace ?? false,
+    }
+    const made: WrinkledSurface[] = []
+    const failed: { found: FoundSkin; reason: string }[] = []
+    for (const [i, found] of surfaces.entries()) {
+      const result = await wrinkleSurface(
+        source,
+        found,
+        surfaceSettings,
         (done, count, step) => {
-          if (done < count) steps.at(step, done % 1)
+          if (i === 0 && done < count) steps.at(step, done % 1)
+          else if (i > 0)
+            steps.at('other meshes', Math.min(1, (i - 1 + done / count) / (surfaces.length - 1)))
         },
-      ),
-    )
-    if (wrinkles.emptyReason !== undefined) throw noWrinkles(wrinkles.emptyReason, found.meshName)
-    steps.begin('encoding')
-    const packed = await packAuto(wrinkles, ktx2, WHO)
-    embedWrinkles(glb, found.material, { ...packed, shapes: corrections }, WHO)
-    const cost = costOf(await inspectWrinkles(parseWrinkledFile(glb, found.material, WHO), WHO), ktx2)
+        () => {
+          if (i === 0) steps.begin('encoding')
+        },
+      )
+      if (typeof result === 'string') failed.push({ found, reason: result })
+      else made.push(result)
+    }
+    if (made.length === 0) throw noWrinkles(failed[0].reason, failed[0].found.meshName)
+    const [{ found, wrinkles }] = made
     const files = await faceFiles(glb, output, WHO, replacing)
     const bytes = files.reduce((sum, file) => sum + file.bytes.length, 0)
     if (strokes !== undefined) files.push({ path: strokes, bytes: jsonFile(strokesOf(wrinkles)) })
-    const warnings = [...wrinkles.warnings, ...skinWarnings].map((text) => `${WHO}: ${text}`)
+    const own = made.flatMap(({ warnings }) => warnings)
+    const skipped = failed.map(({ found, reason }) => `mesh "${found.meshName}" gets no wrinkles: ${reason}`)
+    const warnings = [...own, ...skipped, ...notes].map((text) => `${WHO}: ${text}`)
     if (report !== undefined) {
       const listed = {
         age: AUTO_DEFAULTS.age,
@@ -208,13 +222,11 @@ async function auto(face: string, options: Options): Promise<void> {
       if (made.missing) warnings.push(`${WHO}: the report has no pictures of the face (${made.missing})`)
     }
     await writeAll(files, WHO, replacing)
-    return { found, wrinkles, cost, bytes, warnings }
+    return { made, bytes, warnings }
   })
   for (const warning of warnings) warn(warning)
   print(
-    options.json
-      ? JSON.stringify(summaryOf(wrinkles, found, options, bytes, cost))
-      : summaryLines(wrinkles, found, options, cost),
+    options.json ? JSON.stringify(summaryOf(made, options, bytes, warnings)) : summaryLines(made, options),
     output,
   )
 }
@@ -234,32 +246,6 @@ function checkCompressible(size: number, layers: number): void {
 }
 
 const NO_PIXELS = new Uint8Array()
-
-/** Returns the random seed that is stored with the wrinkles of a material. Wrinkles that are not valid have none. */
-function seedIn(glb: Glb, { material }: FoundSkin): number | undefined {
-  if (glb.json.materials![material].extensions?.[WRINKLE_MAPS] === undefined) return undefined
-  try {
-    return strokesIn(parseWrinkledFile(glb, material, WHO), WHO).strokes?.seed
-  } catch (error) {
-    if (error instanceof FurrowError) return undefined
-    throw error
-  }
-}
-
-/** Removes existing wrinkles from a material if `replace` is true. Otherwise throws if the material has wrinkles. */
-function removeOldWrinkles(glb: Glb, { material, materialName }: FoundSkin, replace: boolean): void {
-  if (glb.json.materials![material].extensions?.[WRINKLE_MAPS] === undefined) return
-  if (replace) {
-    stripWrinkles(glb, material, WHO)
-    return
-  }
-  throw new FurrowError({
-    who: WHO,
-    problem: 'the material already has wrinkles',
-    value: materialName,
-    remedy: 'pass --replace to replace them',
-  })
-}
 
 function withoutFurrowLayer(): FurrowError {
   return new FurrowError({

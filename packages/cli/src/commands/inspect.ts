@@ -48,7 +48,8 @@ export const inspectCommand = createCommand('inspect')
     `
 The command shows which ARKit shape each blendshape is. It uses corrections in
 the file, otherwise motion and names. For a face without wrinkles, it lists the
-meshes and the next command to add wrinkles, and --sheet draws the UV layout.
+meshes, whether each is skin, cloth or hard, and the next command to add
+wrinkles, and --sheet draws the UV layout.
 
 GPU sizes include mipmaps for maps, but not for areas. 1 kB is 1024 bytes.
 
@@ -89,7 +90,7 @@ async function inspectFace(path: string, glb: Glb, { sheet, json }: Options): Pr
   print(json || sheet === undefined ? lines : [...lines, `${sheet}: the skin and its UV layout`], sheet)
 }
 
-function describePlain(path: string, { meshes, skin, shapes, next }: PlainInspection): string[] {
+function describePlain(path: string, { meshes, surfaces, skin, shapes, next }: PlainInspection): string[] {
   return [
     `${path}: no wrinkles`,
     '',
@@ -106,6 +107,21 @@ function describePlain(path: string, { meshes, skin, shapes, next }: PlainInspec
           ]),
         )),
     '',
+    ...(surfaces.length === 0
+      ? []
+      : [
+          ...table(
+            ['mesh', 'material', 'kind', 'because', 'joints of'],
+            surfaces.map(({ mesh, material, kind, why, limbs }) => [
+              mesh,
+              material,
+              kind,
+              why,
+              limbs.join(', '),
+            ]),
+          ),
+          '',
+        ]),
     ...(shapes.length === 0 ? [] : [...shapeTable(shapes), '']),
     ...(skin ? [`the skin is mesh "${skin.mesh}", material "${skin.material}" (${skin.reason})`] : []),
     next,

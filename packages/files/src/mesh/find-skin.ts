@@ -1,7 +1,15 @@
 import type { Document, Material, Mesh } from '@gltf-transform/core'
 import { FurrowError } from 'furrow'
 import type { Skin } from 'furrow/author'
-import { chooseSkin, correctSkin, didYouMean, type SkinChoice, soleExpressions } from 'furrow/internal'
+import {
+  chooseSkin,
+  correctSkin,
+  didYouMean,
+  FACE_MOVERS,
+  limbsOf,
+  type SkinChoice,
+  soleExpressions,
+} from 'furrow/internal'
 import { sourceOf } from '../gltf/document.ts'
 import { correctionsIn } from '../json/corrections.ts'
 import { namesOfMesh, type Target } from '../json/target-names.ts'
@@ -23,7 +31,22 @@ export interface FoundSkin {
   fraction: number
   /** Reason for the choice, in words for the user. */
   reason: string
+  /** Whether blendshapes of brows, lids and mouth move the surface. */
+  isFace?: boolean
   hasTangents: boolean
+}
+
+/** Lists all surfaces that could get wrinkles. */
+export function allSurfaces(document: Document, meshName?: string): FoundSkin[] {
+  const meshes = document.getRoot().listMeshes()
+  const wanted = meshes.flatMap((mesh, index) => (isNamed(mesh, meshName) ? [{ mesh, index }] : []))
+  const found = wanted.flatMap(({ mesh, index }) => candidatesOf(document, mesh, index))
+  return found.map((candidate) => {
+    const limbs = limbsOf(candidate.skin)
+    const reason =
+      limbs.length > 0 ? `joints move it: ${limbs.join(', ')}` : 'no joints of hands or a neck move it'
+    return { ...candidate, fraction: Number.NaN, reason }
+  })
 }
 
 /**
@@ -81,8 +104,9 @@ export function bestSkin(
     })),
   )
   if (!choice) return undefined
-  const { index, fraction } = choice
-  return { ...candidates[index], fraction, reason: reasonOf(choice, candidates.length) }
+  const { index, fraction, movers } = choice
+  const isFace = fraction > 0 && movers === FACE_MOVERS
+  return { ...candidates[index], fraction, isFace, reason: reasonOf(choice, candidates.length) }
 }
 
 /** Returns the surface of a mesh and material, or undefined if it has no triangles with texture coordinates. */
@@ -112,7 +136,7 @@ function candidatesOf(
     const primitives = triangles.filter((primitive) => primitive.getMaterial() === material)
     const materialIndex = document.getRoot().listMaterials().indexOf(material)
     const { corrections } = correctionsIn(json, materialIndex, 'furrow')
-    const skin = readSkin(mesh, primitives, material, expressions)
+    const skin = readSkin(mesh, primitives, material, expressions, document)
     return [
       {
         skin: correctSkin(skin, corrections, namesOfMesh(json, index)),

@@ -15,7 +15,7 @@ const AREAS_PER_IMAGE = 3
  * @param ktx2 whether maps and areas become KTX 2 arrays. Heights stay PNG.
  */
 export async function packAuto(wrinkles: AutoWrinkles, ktx2: boolean, who: string): Promise<PackedWrinkles> {
-  const { layers, areas, blood, bulges, furrows } = wrinkles
+  const { layers, areas, jointAreas, blood, bulges, furrows } = wrinkles
   const maps = await Promise.all(
     layers.map(async (layer, i): Promise<LayerMaps> => {
       // Fine furrows are too shallow to move the surface, so their layer has no heights.
@@ -24,7 +24,7 @@ export async function packAuto(wrinkles: AutoWrinkles, ktx2: boolean, who: strin
       return { ...maps, bloodAmplitude: blood.amplitude }
     }),
   )
-  const allAreas = [...areas, ...blood.areas, ...bulges, ...(furrows?.areas ?? [])]
+  const allAreas = [...areas, ...jointAreas, ...blood.areas, ...bulges, ...(furrows?.areas ?? [])]
   const weights = allAreas.map((area) => area.weights)
   const images = await (ktx2
     ? encodeAreaArray(weights, who)

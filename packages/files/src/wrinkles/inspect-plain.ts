@@ -1,7 +1,9 @@
 import type { Document } from '@gltf-transform/core'
+import { limbsOf } from 'furrow/internal'
 import type { Glb } from '../gltf/glb.ts'
 import { targetNamesOf } from '../json/gltf-json.ts'
-import { bestSkin, type FoundSkin } from '../mesh/find-skin.ts'
+import { allSurfaces, bestSkin, type FoundSkin } from '../mesh/find-skin.ts'
+import { judgeKind } from '../mesh/surface-kind.ts'
 import { inspectShapes, type ShapeReport } from './inspect-shapes.ts'
 
 export interface MeshReport {
@@ -12,14 +14,26 @@ export interface MeshReport {
   blendshapes: string[]
 }
 
+/** Surface of a mesh with one material, which `furrow auto` judges to be skin, cloth or hard. */
+export interface SurfaceReport {
+  mesh: string
+  material: string
+  kind: 'skin' | 'cloth' | 'hard' | 'unknown'
+  /** Why the surface is of this kind: a clause. */
+  why: string
+  /** Hands and neck that joints of the surface move. */
+  limbs: string[]
+}
+
 export interface PlainInspection {
   fileBytes: number
   meshes: MeshReport[]
+  surfaces: SurfaceReport[]
   /** Mesh and material that `furrow auto` chooses. Absent if no mesh is suitable. */
   skin?: { mesh: string; material: string; reason: string }
   /** Recognised blendshapes of `skin`. Empty without `skin`. */
   shapes: ShapeReport[]
-  /** Whether `furrow auto` can generate wrinkles. True if blendshapes move `skin`. */
+  /** Whether `furrow auto` can generate wrinkles: whether blendshapes move `skin`, or joints of hands or a neck move a surface of skin. */
   auto: boolean
   /** Suggestion for the user: the next command or step. */
   next: string
@@ -37,29 +51,50 @@ export function inspectPlain(
   path: string,
 ): { report: PlainInspection; skin?: FoundSkin } {
   const skin = bestSkin(document)
-  const auto = skin !== undefined && skin.fraction > 0
+  const surfaces = allSurfaces(document).map((surface): SurfaceReport => {
+    const { kind = 'unknown', reason } = judgeKind(glb.json, surface)
+    const { meshName, materialName } = surface
+    return { mesh: meshName, material: materialName, kind, why: reason, limbs: limbsOf(surface.skin) }
+  })
+  const isMoved = skin !== undefined && skin.fraction > 0
   const report = {
     fileBytes: glb.fileBytes,
     meshes: meshesOf(glb, document),
+    surfaces,
     ...(skin && {
       skin: { mesh: skin.meshName, material: skin.materialName, reason: skin.reason },
     }),
     shapes: skin ? inspectShapes(skin.skin) : [],
-    auto,
-    next: nextStep(path, skin, auto),
+    auto: isMoved || surfaces.some(isFolded),
+    next: nextStep(path, skin, isMoved, surfaces),
   }
   return { report, ...(skin && { skin }) }
 }
 
-function nextStep(path: string, skin: FoundSkin | undefined, auto: boolean): string {
-  if (auto) return `generate wrinkles from its blendshapes: furrow auto ${quoted(path)} -o wrinkled.glb`
+/** Returns whether joints fold a surface of skin. */
+function isFolded({ kind, limbs }: SurfaceReport): boolean {
+  return kind === 'skin' && limbs.length > 0
+}
+
+function nextStep(
+  path: string,
+  skin: FoundSkin | undefined,
+  isMoved: boolean,
+  surfaces: readonly SurfaceReport[],
+): string {
+  const command = `furrow auto ${quoted(path)} -o wrinkled.glb`
+  if (isMoved) return `generate wrinkles from its blendshapes: ${command}`
+  if (surfaces.some(isFolded)) return `generate wrinkles from its joints: ${command}`
+  const unknown = surfaces.find(({ kind, limbs }) => kind === 'unknown' && limbs.length > 0)
+  if (unknown)
+    return `if mesh "${unknown.mesh}" is skin, generate wrinkles from its joints: ${command} --kind ${quoted(`${unknown.mesh}=skin`)}`
   if (!skin) return 'no mesh has triangles with texture coordinates and a material: unwrap the face first'
   return 'no blendshape moves the skin: draw wrinkles (furrow strokes) or paint them over its UV layout (furrow uv)'
 }
 
-/** Quotes a path for a shell if it has special characters. */
+/** Quotes a text for a shell if it has special characters. */
 function quoted(path: string): string {
-  return /^[\p{L}\p{N}_./\\:-]+$/u.test(path) ? path : `"${path}"`
+  return /^[\p{L}\p{N}_./\\:=-]+$/u.test(path) ? path : `"${path}"`
 }
 
 function meshesOf({ json }: Glb, document: Document): MeshReport[] {

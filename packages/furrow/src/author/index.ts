@@ -7,7 +7,13 @@
 export { combineNormals } from '../core/normals/combine-normals.ts'
 export type { GrayImage, RgbaImage } from '../core/types.ts'
 export { AUTO_REGIONS, type AutoRegion } from './auto/anatomy/region-names.ts'
-export { type AutoArea, type AutoProgress, type AutoWrinkles, autoWrinkles } from './auto/auto.ts'
+export {
+  type AutoArea,
+  type AutoProgress,
+  type AutoWrinkles,
+  autoWrinkles,
+  type JointArea,
+} from './auto/auto.ts'
 export { AUTO_DEFAULTS, type AutoOptions } from './auto/options.ts'
 export type { AutoLayer } from './auto/raster/draw-maps.ts'
 export { autoWrinkleSet } from './auto/wrinkle-set.ts'
@@ -23,6 +29,7 @@ export {
 } from './normals/bump-to-normal.ts'
 export { heightToNormal, type TangentFrame } from './normals/height-to-normal.ts'
 export { type SkinCanvas, skinCanvas } from './skin/canvas.ts'
+export type { SkinJoint, SkinSkeleton } from './skin/skeleton.ts'
 export type { Skin, SkinTarget } from './skin/surface.ts'
 export {
   type AreaDefinition,

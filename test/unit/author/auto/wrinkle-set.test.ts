@@ -13,6 +13,7 @@ it('automatic wrinkles have heights at half resolution, with their amplitude in 
   const [made] = autoWrinkleSet({
     layers: [layer],
     areas: [],
+    jointAreas: [],
     blood,
     bulges: [],
     furrows: undefined,

@@ -1,6 +1,7 @@
 import { FurrowError } from '../../core/error.ts'
 import type { GrayImage } from '../../core/types.ts'
 import type { AgeDriver } from '../../drivers/age/definition.ts'
+import type { BoneDriver } from '../../drivers/bone/definition.ts'
 import type { ExpressionDriver } from '../../drivers/expression/definition.ts'
 import { canMove } from '../../drivers/expression/face-expressions.ts'
 import { EXPRESSIONS } from '../../drivers/expression/presets.ts'
@@ -22,13 +23,15 @@ import { fitDrivers } from './fit/fit-drivers.ts'
 import { assignLayers } from './fit/layers.ts'
 import { type AutoFurrows, drawNet } from './furrows/draw-net.ts'
 import { planNet } from './furrows/plan-net.ts'
+import { areaSizeFor, coarseWarnings } from './limbs/area-size.ts'
+import { creaseJoints } from './limbs/crease-joints.ts'
 import { layLines } from './lines/lay-lines.ts'
 import { AUTO_DEFAULTS, type AutoOptions, checkAutoOptions } from './options.ts'
 import { type AutoLayer, drawMaps } from './raster/draw-maps.ts'
 import { measureStrain } from './strain/measure-strain.ts'
 import type { DetectedFace } from './surface/detect-face.ts'
 import type { Landmarks } from './surface/landmarks.ts'
-import { prepareSkin } from './surface/prepare-skin.ts'
+import { type PreparedSkin, prepareSkin } from './surface/prepare-skin.ts'
 
 /** Area of influence (a map of weights that tells where a group of wrinkles appears), with the drivers that compute its activation. */
 export interface AutoArea {
@@ -50,7 +53,13 @@ export interface AutoArea {
   lines: number
 }
 
-/** Wrinkles made from blendshapes. */
+/** Area of skin that joints fold, with the drivers that compute its activation from the angles of joints. */
+export interface JointArea
+  extends Pick<AutoArea, 'name' | 'layer' | 'weights' | 'compression' | 'error' | 'lines'> {
+  drivers: readonly BoneDriver[]
+}
+
+/** Wrinkles made from blendshapes and joints. */
 export interface AutoWrinkles {
   /** Positions of facial features. Undefined if no face was detected; the lines are then placed by the compression of the skin alone. */
   landmarks: Landmarks | undefined
@@ -64,7 +73,10 @@ export interface AutoWrinkles {
   bulges: BulgeArea[]
   /** Blood maps of the layers, and areas that show only blood (reddened or pale skin). */
   blood: AutoBlood
+  /** Areas that blendshapes activate. */
   areas: AutoArea[]
+  /** Areas that joints activate. */
+  jointAreas: JointArea[]
   /** Millimetres per unit of the skin's positions. On faces, it is derived from the distance between the eyes. */
   scale: number
   /** Random seed that was used. The same seed draws the same lines. */
@@ -90,8 +102,11 @@ export type AutoProgress = (done: number, total: number, step: string) => void
 
 export const AUTO_STEPS = ['face', 'lines', 'drivers', 'layers', 'maps'] as const
 
+/** Maximum number of areas with lines. */
+const MAX_AREAS = 64
+
 /**
- * Makes wrinkles from a character's blendshapes. Lines appear where blendshapes compress the skin. On faces, the lines follow paths known
+ * Makes wrinkles from a character's blendshapes and joints. Lines appear where these compress the skin. On faces, the lines follow paths known
  * from anatomy. The same input and seed produce bit-identical maps.
  *
  * @throws FurrowError if the skin has no blendshapes, no area in UV space, or NaN or infinite values.
@@ -134,8 +149,12 @@ export function autoWrinkles(
     (fraction) => lineProgress((1 + fraction) / 2),
   )
   const fitted = fitDrivers(prepared, creased, maxAreas, begin('drivers'))
+  const jointed = options.regions
+    ? []
+    : creaseJoints(prepared, lineSettings, MAX_AREAS - fitted.regions.length)
   begin('layers')
   const { face } = prepared
+  const drawnRegions = [...fitted.regions, ...jointed]
   const planned =
     face && settings.furrows ? planNet({ ...prepared, face }, { ...settings, seed, regions }) : undefined
   const lineLayers = planned?.net ? settings.layers - 1 : settings.layers
@@ -143,13 +162,14 @@ export function autoWrinkles(
     ? planBulges({ ...prepared, face }, { ...lineSettings, layers: lineLayers })
     : { bulges: [], missing: [] }
   const hasBulges = rising.bulges.length > 0
-  const layerOf = assignLayers(fitted.regions, hasBulges ? lineLayers - 1 : lineLayers)
-  const isEmpty = fitted.regions.length === 0 && !hasBulges
+  const layerOf = assignLayers(drawnRegions, hasBulges ? lineLayers - 1 : lineLayers)
+  const isEmpty = drawnRegions.length === 0 && !hasBulges
   const mapProgress = begin('maps')
-  const drawn = isEmpty ? undefined : drawMaps(prepared, fitted.regions, layerOf, settings, mapProgress)
+  const mapSettings = { ...settings, areaSize: options.areaSize ?? areaSizeFor(prepared, jointed) }
+  const drawn = isEmpty ? undefined : drawMaps(prepared, drawnRegions, layerOf, mapSettings, mapProgress)
   const { layers, weights } = drawn ?? { layers: [] as AutoLayer[], weights: [] }
   const blood = drawn
-    ? drawBlood(prepared, { ...drawn, regions: fitted.regions, layerOf }, settings.strength)
+    ? drawBlood(prepared, { ...drawn, regions: drawnRegions, layerOf }, settings.strength)
     : { amplitude: 0, maps: [], areas: [] }
   const raised =
     drawn && face && hasBulges
@@ -180,6 +200,15 @@ export function autoWrinkles(
       error,
       lines: creases.length,
     })),
+    jointAreas: jointed.map(({ region, drivers, compression, error, creases }, i) => ({
+      name: region.name,
+      layer: layerOf[fitted.regions.length + i],
+      weights: weights[fitted.regions.length + i],
+      drivers,
+      compression,
+      error,
+      lines: creases.length,
+    })),
     scale,
     seed,
     missing: [
@@ -195,10 +224,11 @@ export function autoWrinkles(
       ...prepared.warnings,
       ...stylisedWarnings(unusual),
       ...fitted.warnings,
+      ...coarseWarnings(prepared, jointed, settings.size),
       ...(settings.furrows && !face ? ['fine furrows require a face; none are drawn'] : []),
     ],
     emptyReason: isEmpty
-      ? emptyReasonOf(prepared.isUnknownHead, wanted.length === 0 && settings.regions.length > 0)
+      ? emptyReasonOf(prepared, wanted.length === 0 && settings.regions.length > 0)
       : undefined,
   }
 }
@@ -222,8 +252,9 @@ export function strokesOf({
   }
 }
 
-function emptyReasonOf(isUnknownHead: boolean, isTooYoung: boolean): string {
+function emptyReasonOf({ isUnknownHead, names }: PreparedSkin, isTooYoung: boolean): string {
   if (isTooYoung) return `the chosen regions only bulge above the age of ${BULGES_FROM} years`
+  if (names.length === 0) return 'no joint folds skin of a hand or a neck'
   return isUnknownHead
     ? 'the mesh looks like a head, but no blendshapes show where its eyes and mouth are (blinks and smiles would)'
     : 'no blendshape compresses the skin enough to crease it'

@@ -15,7 +15,7 @@ export interface AutoOptions {
   strength?: number
   /** Width and height of the layers' maps in texels. */
   size?: number
-  /** Width and height of the areas' maps in texels. */
+  /** Width and height of the areas' maps in texels. Default: 128; up to 512 if joints fold small parts of a large skin. */
   areaSize?: number
   /** Random seed, an integer. The same seed produces the same wrinkles. Default: derived from the proportions of the face. */
   seed?: number

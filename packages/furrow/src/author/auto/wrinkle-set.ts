@@ -1,5 +1,6 @@
 import type { Layer, WrinkleSet } from '../../core/types.ts'
 import type { AgeDriver } from '../../drivers/age/definition.ts'
+import type { BoneDriver } from '../../drivers/bone/definition.ts'
 import type { ExpressionDriver } from '../../drivers/expression/definition.ts'
 import type { MorphDriver } from '../../drivers/morph/definition.ts'
 import type { WrinkleDriver } from '../../drivers/registry.ts'
@@ -8,7 +9,7 @@ import type { HeightMap } from '../strokes/height.ts'
 import type { AutoWrinkles } from './auto.ts'
 import { halfSide, heightLevels } from './raster/half-side.ts'
 
-export type AutoDriver = MorphDriver | AgeDriver | TimeDriver | ExpressionDriver
+export type AutoDriver = MorphDriver | BoneDriver | AgeDriver | TimeDriver | ExpressionDriver
 
 type Heights = Required<Pick<Layer, 'height' | 'heightAmplitude'>>
 
@@ -19,11 +20,15 @@ type Heights = Required<Pick<Layer, 'height' | 'heightAmplitude'>>
 export function autoWrinkleSet({
   layers,
   areas,
+  jointAreas,
   blood,
   bulges,
   furrows,
   expressions,
-}: Pick<AutoWrinkles, 'layers' | 'areas' | 'blood' | 'bulges' | 'furrows' | 'expressions'>): WrinkleSet & {
+}: Pick<
+  AutoWrinkles,
+  'layers' | 'areas' | 'jointAreas' | 'blood' | 'bulges' | 'furrows' | 'expressions'
+>): WrinkleSet & {
   drivers: WrinkleDriver[]
 } {
   return {
@@ -38,14 +43,14 @@ export function autoWrinkleSet({
       blood: blood.maps[i],
       bloodAmplitude: blood.amplitude,
     })),
-    areas: [...areas, ...blood.areas, ...bulges, ...(furrows?.areas ?? [])].map(
+    areas: [...areas, ...jointAreas, ...blood.areas, ...bulges, ...(furrows?.areas ?? [])].map(
       ({ name, layer, weights }) => ({
         name,
         layer: layers[layer].name,
         weights,
       }),
     ),
-    drivers: autoDrivers({ areas, blood, bulges, furrows, expressions }),
+    drivers: autoDrivers({ areas, jointAreas, blood, bulges, furrows, expressions }),
   }
 }
 
@@ -63,15 +68,17 @@ function heightOf(heights: HeightMap): Heights {
  */
 export function autoDrivers({
   areas,
+  jointAreas = [],
   blood,
   bulges = [],
   furrows,
   expressions,
 }: Pick<AutoWrinkles, 'areas' | 'expressions'> &
-  Partial<Pick<AutoWrinkles, 'blood' | 'bulges' | 'furrows'>>): AutoDriver[] {
+  Partial<Pick<AutoWrinkles, 'jointAreas' | 'blood' | 'bulges' | 'furrows'>>): AutoDriver[] {
   return [
     ...areas.map(({ driver }) => driver),
     ...areas.flatMap(({ ageing }) => ageing ?? []),
+    ...jointAreas.flatMap(({ drivers }) => drivers),
     ...(blood?.areas ?? []).flatMap(({ drivers }) => drivers),
     ...[...bulges, ...(furrows?.areas ?? [])].map(({ driver }) => driver),
     ...expressions,

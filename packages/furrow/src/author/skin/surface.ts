@@ -1,6 +1,7 @@
 import { triangleNormal } from '../../math/triangle.ts'
 import { length, normalize } from '../../math/vector.ts'
 import { weldVertices } from '../../math/weld.ts'
+import type { SkinSkeleton } from './skeleton.ts'
 
 /**
  * Mesh of the skin in the rest pose, and its blendshapes. Functions that take a `Skin` do not change its arrays. Public
@@ -16,6 +17,8 @@ export interface Skin {
   targets: readonly SkinTarget[]
   /** Skinning weight of each vertex for the head joint, 0..1; undefined if the character has no head joint. */
   headWeights?: ArrayLike<number> | undefined
+  /** Skeleton that moves the skin; undefined if no joints move it. */
+  skeleton?: SkinSkeleton | undefined
 }
 
 /** Blendshape of a skin. */

@@ -56,6 +56,8 @@ export interface SkinRegion {
   feather: number
   /** Returns a factor on the area's weight at a point, 0..1. With it, several areas can each show a different part of the same lines. */
   influence?: (point: ChartPoint) => number
+  /** Whether the chart of the head does not apply to the region, for example on hands. */
+  isOffHead?: boolean
 }
 
 /** Typical path of a crease on the face, known from anatomy. */

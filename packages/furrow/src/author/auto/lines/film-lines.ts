@@ -1,6 +1,6 @@
 import { length2 } from '../../../math/vector.ts'
 import type { SkinSurface, SurfacePoint } from '../../skin/surface.ts'
-import type { BucklingRegion, SkinFilm } from '../anatomy/region.ts'
+import type { BucklingRegion, LineStyle, SkinFilm } from '../anatomy/region.ts'
 import { buckle } from '../buckling/buckle.ts'
 import { flatChart, liftPoint } from '../buckling/flat-chart.ts'
 import { Relief } from '../buckling/relief.ts'
@@ -55,7 +55,7 @@ export function layFilm(
   if (!folded) return []
   const { samples, fields, valleys } = folded
   const deepest = valleys.reduce((most, { depths }) => Math.max(most, ...depths), 0)
-  return valleys.flatMap((valley) => layValley(samples, fields, valley, region.film, deepest))
+  return valleys.flatMap((valley) => layValley(samples, fields, valley, region.film.style, deepest))
 }
 
 /** Computes the valleys of a region's film. Returns undefined if the mesh has no skin there. */
@@ -105,12 +105,17 @@ function alignment(samples: ChartSamples, { pull: [pullX, pullY] }: FilmFields, 
   return sum / (points.length / 2 - 1)
 }
 
-/** Lifts a valley onto the surface. Where the skin has a hole, the line is cut. */
-function layValley(
+/**
+ * Lifts a valley onto the surface. Where the skin has a hole, the line is cut.
+ *
+ * @param style style of the deepest line.
+ * @param deepest depth of the deepest valley in millimetres.
+ */
+export function layValley(
   samples: ChartSamples,
-  fields: FilmFields,
+  fields: Pick<FilmFields, 'compression'>,
   { points, depths, joins }: Valley,
-  { style }: SkinFilm,
+  style: LineStyle,
   deepest: number,
 ): LaidLine[] {
   const { chart, origin, triangles } = samples
@@ -147,7 +152,7 @@ function layValley(
 
 /** Returns the compression across a line at one of its points. */
 function compressionAcross(
-  { compression: [xx, xy, yy] }: FilmFields,
+  { compression: [xx, xy, yy] }: Pick<FilmFields, 'compression'>,
   sample: number,
   points: readonly number[],
   i: number,

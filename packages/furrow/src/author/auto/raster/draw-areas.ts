@@ -12,7 +12,7 @@ const TRANSITION = 4
 
 /** Lines of a region, and the size of the area around them. */
 export interface AreaSource {
-  region: Pick<SkinRegion, 'reach' | 'feather' | 'influence'>
+  region: Pick<SkinRegion, 'reach' | 'feather' | 'influence' | 'isOffHead'>
   creases: readonly SkinLine[]
 }
 
@@ -60,7 +60,8 @@ export function drawAreas(
       for (let k = 0; k < distances.length; k++) if (k !== owners[i]) other = Math.min(other, distances[k])
       const inside = 1 - smoothstep((own - region.reach) / region.feather)
       const nearer = other === Infinity ? 1 : smoothstep((other - own) / TRANSITION + 0.5)
-      images[i][texel] = Math.round(255 * inside * nearer * visible * (region.influence?.(point) ?? 1))
+      const shown = region.isOffHead ? 1 : visible
+      images[i][texel] = Math.round(255 * inside * nearer * shown * (region.influence?.(point) ?? 1))
     }
   })
   return images.map((data) => ({ width, height, data }))

@@ -7,9 +7,9 @@ import type { SkinSurface } from '../../skin/surface.ts'
 import type { Stroke } from '../../strokes/document.ts'
 import { drawStrokes, type HeightMap } from '../../strokes/height.ts'
 import { drawOnset } from '../../strokes/onset.ts'
-import type { FittedRegion } from '../fit/fit-driver.ts'
 import type { PreparedSkin } from '../surface/prepare-skin.ts'
 import { drawAreas } from './draw-areas.ts'
+import type { DrawnRegion } from './drawn-region.ts'
 import { FacetFrames } from './facet-frames.ts'
 
 /** Maps of one layer. */
@@ -55,7 +55,7 @@ export interface AutoMaps {
  */
 export function drawMaps(
   prepared: PreparedSkin,
-  regions: readonly FittedRegion[],
+  regions: readonly DrawnRegion[],
   layerOf: readonly number[],
   { size, areaSize, frame }: MapSettings,
   report: (fraction: number) => void,
@@ -92,7 +92,7 @@ export function drawMaps(
 }
 
 /** Returns the strokes of a layer's regions. Lines that the left and the right region share are in a group without a side in its name. */
-function strokesOf(regions: readonly FittedRegion[]): Stroke[] {
+function strokesOf(regions: readonly DrawnRegion[]): Stroke[] {
   const groups = new Map<readonly Stroke[], string>()
   for (const { region, strokes } of regions) {
     groups.set(strokes, groups.has(strokes) ? region.name.replace(/(Left|Right)$/, '') : region.name)

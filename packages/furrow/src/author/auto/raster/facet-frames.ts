@@ -3,9 +3,10 @@ import { cross, dot, length, normalize } from '../../../math/vector.ts'
 import { skinVertices, triangleBox } from '../../skin/surface.ts'
 import { reachOf } from '../../strokes/lay-out.ts'
 import { LineGrid } from '../../strokes/line-grid.ts'
-import { activationOf, type FittedRegion } from '../fit/fit-driver.ts'
+import { activationOf } from '../fit/fit-driver.ts'
 import { type Pose, poseOf } from '../surface/pose.ts'
 import type { PreparedSkin } from '../surface/prepare-skin.ts'
+import type { DrawnRegion } from './drawn-region.ts'
 import { type Patch, patchOf } from './patch.ts'
 
 // The matrices D, S and M in the comments below are described at `FacetFrames`.
@@ -47,7 +48,7 @@ export class FacetFrames {
   readonly #turns: Float64Array
 
   /** @param regions regions whose creases are drawn into the map. */
-  constructor(skin: Skin, regions: readonly FittedRegion[]) {
+  constructor(skin: Skin, regions: readonly DrawnRegion[]) {
     this.#slots = new Int32Array(skin.surface.skinTriangles.length).fill(NONE)
     const near = regions.flatMap((region) => {
       const poses = posesOf(skin, region)
@@ -109,9 +110,10 @@ interface WeightedPose {
 
 /**
  * Returns the poses to correct for: the region's cause, and one pose with each single target of the region's driver. The cause weighs as much
- * as all other poses together.
+ * as all other poses together. For a region that joints fold, returns the pose at rest.
  */
-function posesOf({ names, find }: Skin, { region, driver }: FittedRegion): WeightedPose[] {
+function posesOf({ names, find }: Skin, { region, driver }: DrawnRegion): WeightedPose[] {
+  if (!driver) return [{ pose: new Map(), weight: 1 }]
   const weightOf = new Map(driver.targets.map(({ name, weight = 1 }) => [names.indexOf(name), weight]))
   const poses: Pose[] = [
     poseOf(find, region.cause),
@@ -125,7 +127,7 @@ function posesOf({ names, find }: Skin, { region, driver }: FittedRegion): Weigh
   })
 }
 
-function trianglesNear({ surface }: Skin, { creases }: FittedRegion): number[] {
+function trianglesNear({ surface }: Skin, { creases }: DrawnRegion): number[] {
   const grid = new LineGrid(
     creases,
     creases.map((crease) => NEAR * reachOf(crease)),

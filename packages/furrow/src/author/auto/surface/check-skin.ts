@@ -21,8 +21,9 @@ export function checkSkin(skin: Skin): { skin: Skin; warnings: string[] } {
   const { positions, uvs, indices, targets } = skin
   const vertices = positions.length / 3
   const triangles = indices.length / 3
-  if (targets.length === 0) {
-    fail('no blendshapes', undefined, 'targets that move the skin', 'export the face with its blendshapes')
+  if (targets.length === 0 && !skin.skeleton) {
+    const remedy = 'export the face with its blendshapes, or the body with its skeleton'
+    fail('no blendshapes and no skeleton', undefined, 'targets or joints that move the skin', remedy)
   }
   if (triangles > MAX_SKIN_TRIANGLES) {
     const limit = `${MAX_SKIN_TRIANGLES.toLocaleString('en')} triangles`
@@ -58,7 +59,7 @@ export function checkSkin(skin: Skin): { skin: Skin; warnings: string[] } {
     if (problem) warnings.push(`blendshape "${target.name}" ${problem}; it is skipped`)
     return !problem
   })
-  if (!usable.some(({ offsets }) => largestOffset(offsets) > 0)) {
+  if (!skin.skeleton && !usable.some(({ offsets }) => largestOffset(offsets) > 0)) {
     fail('no blendshape moves the mesh', targets.length, 'targets that move the skin', 'choose another mesh')
   }
   return { skin: usable.length < targets.length ? { ...skin, targets: usable } : skin, warnings }

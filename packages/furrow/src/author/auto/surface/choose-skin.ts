@@ -22,6 +22,9 @@ export interface SkinChoice {
   movers: string
 }
 
+/** `SkinChoice.movers` of a face. */
+export const FACE_MOVERS = 'brows, lids and mouth'
+
 /** A candidate is not a face if its motion is less than this fraction of the largest motion of a candidate. */
 const NEGLIGIBLE = 0.02
 
@@ -63,10 +66,10 @@ export function chooseSkin(candidates: readonly SkinCandidate[]): SkinChoice | u
   const largest = () => Math.max(...candidates.map(({ skin }) => movedByAll(skin)))
   const ways: [movers: string, measure: (candidate: SkinCandidate) => number][] = [
     [
-      'brows, lids and mouth',
+      FACE_MOVERS,
       ({ skin }) => movedSurface(skin, faceTargets(correctedNames(skin.targets), hintsOf(skin.targets))),
     ],
-    ['brows, lids and mouth', ({ skin }) => movedFace(skin, largest())],
+    [FACE_MOVERS, ({ skin }) => movedFace(skin, largest())],
     [
       'the head by blendshapes',
       ({ skin, label }) =>

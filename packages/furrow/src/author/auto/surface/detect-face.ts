@@ -1,4 +1,4 @@
-import { length } from '../../../math/vector.ts'
+import { dot, length } from '../../../math/vector.ts'
 import { correctedNames } from '../../shapes/corrections.ts'
 import { pointAreas, pointOffsets, type Skin, type SkinSurface, weldSurface } from '../../skin/surface.ts'
 import type { MirrorPlane } from '../../strokes/edit/mirror.ts'
@@ -19,6 +19,8 @@ export interface DetectedFace {
   landmarks: Landmarks
   /** Millimetres per unit of the skin's positions. */
   scale: number
+  /** Column-major 4 x 4 matrix from the skin's positions to the surface. */
+  toSurface: readonly number[]
   /** Offsets of each target per point, in face coordinates, in millimetres. */
   offsets: readonly Float64Array[]
   names: readonly string[]
@@ -50,7 +52,7 @@ export function detectFace(skin: Skin): DetectedFace | undefined {
   const { known, hints } = targets
   const placed = placeFace(skin, targets)
   if (!placed) return undefined
-  const { surface, offsets, scale } = placed
+  const { surface, offsets, scale, toSurface } = placed
   const [find, findPart] = [faceShapeFinder(known, hints), partShapeFinder(known, hints)]
   const browsMoveAsOne = `${find('browInnerUp')}` === `${find('browOuterUpLeft')}`
   const count = surface.areas.length
@@ -65,6 +67,7 @@ export function detectFace(skin: Skin): DetectedFace | undefined {
       chart: new HeadChart(surface),
       landmarks,
       scale,
+      toSurface,
       offsets,
       names,
       known,
@@ -84,7 +87,7 @@ export function middleOf(skin: Skin): MirrorPlane | undefined {
 }
 
 /** Surface of a face in face coordinates (see `DetectedFace`). */
-interface PlacedFace extends Pick<DetectedFace, 'surface' | 'offsets' | 'scale'> {
+interface PlacedFace extends Pick<DetectedFace, 'surface' | 'offsets' | 'scale' | 'toSurface'> {
   /** Symmetry plane, in the coordinates of the skin. */
   middle: MirrorPlane
 }
@@ -120,7 +123,8 @@ function placeFace(skin: Skin, { known, hints, eyes }: KnownTargets): PlacedFace
   const areas = pointAreas(points, welded.corners)
   const surface = { ...welded, points, areas, normals: frame.directions(welded.normals, 1) }
   const offsets = raw.map((offset) => frame.directions(offset, frame.scale))
-  return { surface, offsets, scale: frame.scale, middle: frame.middle }
+  const { scale, middle, toSurface } = frame
+  return { surface, offsets, scale, toSurface, middle }
 }
 
 function faceFrame(leftEye: readonly number[], rightEye: readonly number[], mouth: readonly number[]) {
@@ -153,6 +157,11 @@ function faceFrame(leftEye: readonly number[], rightEye: readonly number[], mout
     /** Millimetres per unit of the skin. */
     scale,
     middle,
+    toSurface: [
+      ...[0, 1, 2].flatMap((k) => [scale * x[k], scale * y[k], scale * z[k], 0]),
+      ...[x, y, z].map((axis) => -scale * dot(axis, origin)),
+      1,
+    ],
     positions: (vectors: Float64Array) => transform(vectors, origin, scale),
     directions: (vectors: Float64Array, factor: number) => transform(vectors, [0, 0, 0], factor),
   }

@@ -1,3 +1,4 @@
+import type { SkinJoint, SkinSkeleton } from '../../skin/skeleton.ts'
 import type { Skin } from '../../skin/surface.ts'
 
 /** Part of a mesh, such as a glTF primitive. The functions read vertex data from the buffers of an engine or a file. */
@@ -13,6 +14,16 @@ export interface SkinPart {
   readOffsets(target: number, vertices: Uint32Array, out: Float32Array): void
   /** Writes, for each of the given vertices, its skinning weight for the head joint, 0..1; undefined if the character has no head joint. */
   readHeadWeights?: ((vertices: Uint32Array, out: Float32Array) => void) | undefined
+  /** Joints that move the vertices; undefined if none do. */
+  influences?: PartInfluences | undefined
+}
+
+/** Joints and weights of the vertices of a part. */
+export interface PartInfluences {
+  /** Number of joints per vertex. */
+  count: number
+  /** Writes `count` joints (indices into the skeleton) and weights for each of the given vertices. */
+  read(vertices: Uint32Array, joints: Uint16Array, weights: Float32Array): void
 }
 
 /** Replaces vertex indices that are out of range. `checkSkin` rejects skins with this index. */
@@ -25,12 +36,14 @@ const NO_VERTEX = 2 ** 31
  * @param names names of the targets.
  * @param placement 4 x 4 matrix from mesh to world space, column-major; default: identity.
  * @param expressions maps the index of a target to the name of a VRM expression that moves only this target.
+ * @param joints joints of the skeleton that moves the mesh, in the space into which `placement` transforms.
  */
 export function joinParts(
   parts: readonly SkinPart[],
   names: readonly string[],
   placement?: ArrayLike<number>,
   expressions?: ReadonlyMap<number, string>,
+  joints?: readonly SkinJoint[],
 ): Skin {
   const used = parts.map(usedVertices)
   const total = used.reduce((sum, { vertices }) => sum + vertices.length, 0)
@@ -61,7 +74,45 @@ export function joinParts(
     const expression = expressions?.get(k)
     return { name, ...(expression !== undefined && { expression }), offsets: offsets[k] }
   })
-  return { positions, uvs, indices, targets, ...(headWeights && { headWeights }) }
+  const skeleton = joints && joinInfluences(parts, used, joints, total)
+  return {
+    positions,
+    uvs,
+    indices,
+    targets,
+    ...(headWeights && { headWeights }),
+    ...(skeleton && { skeleton }),
+  }
+}
+
+/** Joins the influences of all parts. Returns undefined if no part has any. */
+function joinInfluences(
+  parts: readonly SkinPart[],
+  used: readonly { vertices: Uint32Array }[],
+  joints: readonly SkinJoint[],
+  total: number,
+): SkinSkeleton | undefined {
+  const influences = Math.max(...parts.map((part) => part.influences?.count ?? 0))
+  if (!(influences > 0)) return undefined
+  const indices = new Uint16Array(influences * total)
+  const weights = new Float32Array(influences * total)
+  let first = 0
+  for (const [i, { influences: own }] of parts.entries()) {
+    const { vertices } = used[i]
+    if (own) {
+      const ownJoints = new Uint16Array(own.count * vertices.length)
+      const ownWeights = new Float32Array(own.count * vertices.length)
+      own.read(vertices, ownJoints, ownWeights)
+      for (let k = 0; k < ownJoints.length; k++) {
+        const at = influences * (first + Math.floor(k / own.count)) + (k % own.count)
+        const isKnown = ownJoints[k] < joints.length && ownWeights[k] > 0
+        indices[at] = isKnown ? ownJoints[k] : 0
+        weights[at] = isKnown ? ownWeights[k] : 0
+      }
+    }
+    first += vertices.length
+  }
+  return { joints, influences, indices, weights }
 }
 
 /** Returns the vertices that triangles use, in ascending order, and the corners as indices into this list. */

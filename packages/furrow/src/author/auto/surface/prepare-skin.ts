@@ -32,6 +32,8 @@ export interface PreparedSkin {
   offsets: readonly Float64Array[]
   /** Millimetres per unit of the skin's positions. */
   scale: number
+  /** Column-major 4 x 4 matrix from the skin's positions to the surface. */
+  toSurface: readonly number[]
   /** Whether the left and the right half of the face share texels. */
   isMirrored: boolean
   /** Returns whether a triangle is drawn into the texture. If both halves share texels, only the left half is drawn. */
@@ -59,7 +61,7 @@ export function prepareSkin(raw: Skin): PreparedSkin {
   const face = detectFace(skin)
   const { known, hints } = face ?? { known: names, hints: hintsOf(skin.targets) }
   const find = face?.find ?? ((name: string) => [names.indexOf(name)])
-  const { surface, offsets, scale } = face ?? weldInMillimetres(skin)
+  const { surface, offsets, scale, toSurface } = face ?? weldInMillimetres(skin)
   checkScale(scale)
   const overlap = findOverlap(skin, surface)
   const isMirrored = face !== undefined && isFaceMirrored(face, overlap)
@@ -72,7 +74,7 @@ export function prepareSkin(raw: Skin): PreparedSkin {
       `${percent(overlap.fraction)} of the texture is used twice: wrinkles there show in both places`,
     )
   const isUnknownHead = !face && isHead(surface, offsets, hints)
-  if (!face && !isUnknownHead)
+  if (!face && !isUnknownHead && names.length > 0)
     warnings.push(
       'no face detected from the blendshapes: shallow lines are placed by the compression of the skin alone',
     )
@@ -89,6 +91,7 @@ export function prepareSkin(raw: Skin): PreparedSkin {
     surface,
     offsets,
     scale,
+    toSurface,
     isMirrored,
     isDrawn,
     locator,

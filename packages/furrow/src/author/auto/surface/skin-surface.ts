@@ -16,7 +16,9 @@ export function skinSurface(skin: Skin): { surface: SkinSurface; scale: number }
 const MAX_AREA = 4e6
 
 /** Converts a skin that is not a face to a surface in millimetres. The skin is assumed to be in metres, unless its area exceeds `MAX_AREA`. */
-export function weldInMillimetres(skin: Skin): Pick<DetectedFace, 'surface' | 'offsets' | 'scale'> {
+export function weldInMillimetres(
+  skin: Skin,
+): Pick<DetectedFace, 'surface' | 'offsets' | 'scale' | 'toSurface'> {
   const welded = weldSurface(skin)
   const sum = pointAreas(welded.points, welded.corners).reduce((sum, area) => sum + area, 0)
   let scale = 1000
@@ -27,6 +29,7 @@ export function weldInMillimetres(skin: Skin): Pick<DetectedFace, 'surface' | 'o
   return {
     surface,
     scale,
+    toSurface: [scale, 0, 0, 0, 0, scale, 0, 0, 0, 0, scale, 0, 0, 0, 0, 1],
     offsets: skin.targets.map((target) => pointOffsets(welded, target).map((value) => scale * value)),
   }
 }

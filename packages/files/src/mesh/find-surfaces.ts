@@ -1,0 +1,125 @@
+import type { Document } from '@gltf-transform/core'
+import { FurrowError } from 'furrow'
+import { didYouMean, limbsOf } from 'furrow/internal'
+import { sourceOf } from '../gltf/document.ts'
+import { allSurfaces, bestSkin, type FoundSkin, findSkin } from './find-skin.ts'
+import { type JudgedKind, judgeKind, type SurfaceKind } from './surface-kind.ts'
+
+/** Surfaces of a character that get wrinkles. */
+export interface FoundSurfaces {
+  /** At least one. The first one is the face, if blendshapes move a surface. */
+  surfaces: FoundSkin[]
+  /** Each note is a complete sentence without a full stop. */
+  notes: string[]
+}
+
+export interface SurfaceChoice {
+  /** Name of a mesh or its node. Only this mesh is considered. */
+  mesh?: string | undefined
+  /** Kinds that the user stated, by name of a mesh or material. */
+  kinds?: ReadonlyMap<string, SurfaceKind>
+  /** Returns whether the given material can show wrinkles. */
+  isLit?: (material: number) => boolean
+}
+
+/**
+ * Finds the surfaces of a character that get wrinkles: the face, which blendshapes move, and all skin that joints fold.
+ *
+ * @throws FurrowError if no surface can have wrinkles, or if `kinds` has an unknown name.
+ */
+export function findSurfaces(
+  document: Document,
+  path: string,
+  who: string,
+  { mesh, kinds = new Map(), isLit = () => true }: SurfaceChoice,
+): FoundSurfaces {
+  const all = allSurfaces(document, mesh).map((surface) => judged(document, surface, kinds))
+  checkNames(kinds, all, who)
+  const best = bestSkin(document, mesh, isLit)
+  const face = best && best.fraction > 0 ? best : undefined
+  const surfaces: FoundSkin[] = []
+  if (face) surfaces.push(isFolding(judged(document, face, kinds)) ? face : withoutSkeleton(face))
+  const others = all.filter(({ surface }) => !isSame(surface, face) && limbsOf(surface.skin).length > 0)
+  for (const { surface, kind } of others) if (kind === 'skin') surfaces.push(surface)
+  // `autoWrinkles` explains why blendshapes that move nothing give no wrinkles.
+  if (surfaces.length === 0 && best && best.skin.targets.length > 0) surfaces.push(withoutSkeleton(best))
+  const unknown = others.filter(({ kind }) => kind === undefined)
+  if (surfaces.length === 0) throw nothingFound(document, path, who, mesh, unknown)
+  const cloth = others.filter(({ kind }) => kind === 'cloth')
+  return { surfaces, notes: [...unknown.map(noteOf), ...clothNote(cloth)] }
+}
+
+interface JudgedSurface extends JudgedKind {
+  surface: FoundSkin
+}
+
+function judged(
+  document: Document,
+  surface: FoundSkin,
+  kinds: ReadonlyMap<string, SurfaceKind>,
+): JudgedSurface {
+  return { surface, ...judgeKind(sourceOf(document), surface, kinds) }
+}
+
+/** Returns whether joints fold a surface that blendshapes move. A surface with brows, lids and a mouth is skin unless its name denies it. */
+function isFolding({ surface, kind }: JudgedSurface): boolean {
+  return kind === 'skin' || (kind === undefined && surface.isFace === true)
+}
+
+function withoutSkeleton(surface: FoundSkin): FoundSkin {
+  return { ...surface, skin: { ...surface.skin, skeleton: undefined } }
+}
+
+function isSame(a: FoundSkin, b: FoundSkin | undefined): boolean {
+  return b !== undefined && a.mesh === b.mesh && a.material === b.material
+}
+
+function noteOf({ surface: { meshName, materialName, skin } }: JudgedSurface): string {
+  const limbs = limbsOf(skin).join(', ')
+  return `mesh "${meshName}", material "${materialName}" (${limbs}) may be skin, cloth or hard, and gets no wrinkles: if it is skin, pass --kind "${meshName}=skin"`
+}
+
+function clothNote(cloth: readonly JudgedSurface[]): string[] {
+  if (cloth.length === 0) return []
+  const names = cloth.map(({ surface }) => `"${surface.meshName}"`).join(', ')
+  return [`cloth gets no folds in this version: ${names}`]
+}
+
+function nothingFound(
+  document: Document,
+  path: string,
+  who: string,
+  mesh: string | undefined,
+  unknown: readonly JudgedSurface[],
+): FurrowError {
+  // Reports files without any usable mesh, and unknown names of meshes.
+  findSkin(document, path, who, mesh)
+  const [first] = unknown
+  return new FurrowError({
+    who,
+    problem: `no blendshapes, and no skin with hands or a neck that joints move, in ${path}`,
+    value: first && `mesh "${first.surface.meshName}" may be skin, cloth or hard`,
+    remedy: first
+      ? `if it is skin, pass --kind "${first.surface.meshName}=skin"`
+      : 'export the face with its blendshapes, or the body with its skeleton',
+  })
+}
+
+function checkNames(
+  kinds: ReadonlyMap<string, SurfaceKind>,
+  all: readonly JudgedSurface[],
+  who: string,
+): void {
+  const names = [...new Set(all.flatMap(({ surface }) => [surface.meshName, surface.materialName]))]
+  for (const name of kinds.keys()) {
+    if (names.includes(name)) continue
+    throw new FurrowError({
+      code: 'unknown-name',
+      who,
+      problem: 'no mesh or material has this name',
+      value: name,
+      limit: names.join(', '),
+      remedy: didYouMean(name, names, 'correct --kind'),
+    })
+  }
+}

@@ -1,0 +1,66 @@
+import type { GltfJson } from '../json/gltf-json.ts'
+
+/** How a surface folds. */
+export const SURFACE_KINDS = ['skin', 'cloth', 'hard'] as const
+export type SurfaceKind = (typeof SURFACE_KINDS)[number]
+
+/** Kind of a surface, and why. */
+export interface JudgedKind {
+  /** Undefined if nothing tells. */
+  kind: SurfaceKind | undefined
+  /** Clause for a message. */
+  reason: string
+}
+
+/** Words in the names of materials and meshes, tried in this order. */
+const WORDS: readonly (readonly [SurfaceKind, RegExp])[] = [
+  [
+    'hard',
+    /hair|brow|lash|eye(?!lid)|iris|pupil|sclera|cornea|teeth|tooth|tongue|gum|armou?r|metal|steel|iron|gold|helmet|headset|headphone|weapon|sword|shield|gun|glass|lens|goggle|plastic|robot|mech|shoe|boot|sneaker|sandal|buckle|jewel|earring|necklace|watch|horn|claw|beak|fur\b/i,
+  ],
+  [
+    'cloth',
+    /cloth|outfit|garment|costume|uniform|pants|trouser|jean|denim|short|skirt|dress|shirt|blouse|\btop\b|_top|bottom|jacket|coat|hoodie|sweater|jumper|vest|robe|cape|cuff|sleeve|collar|scarf|suit|kimono|tights|legging|sock|glove|hat\b|cap\b|fabric|cotton|linen|silk|wool|leather/i,
+  ],
+  ['skin', /skin|body|flesh|face|head|hand|neck|torso|human|nude/i],
+]
+
+/** A material without textures is hard from this metalness on. */
+const METALLIC = 0.5
+
+/**
+ * Judges whether a surface is skin, cloth or hard: by the name of its material, then by the name of its mesh, then by the properties of its
+ * material.
+ *
+ * @param named kinds that the user stated, by name of a mesh or material.
+ */
+export function judgeKind(
+  { materials = [] }: GltfJson,
+  { meshName, materialName, material }: { meshName: string; materialName: string; material: number },
+  named: ReadonlyMap<string, SurfaceKind> = new Map(),
+): JudgedKind {
+  const stated = named.get(meshName) ?? named.get(materialName)
+  if (stated) return { kind: stated, reason: '--kind' }
+  for (const [subject, name] of [
+    ['material', materialName],
+    ['mesh', meshName],
+  ]) {
+    const found = WORDS.flatMap(([kind, words]) => {
+      const match = words.exec(name)
+      return match ? [{ kind, word: match[0] }] : []
+    })[0]
+    if (found) return { kind: found.kind, reason: `the name of the ${subject} contains "${found.word}"` }
+  }
+  const { pbrMetallicRoughness: pbr, extensions = {} } = materials[material] ?? {}
+  if ('KHR_materials_sheen' in extensions) return { kind: 'cloth', reason: 'the material has sheen' }
+  if ('KHR_materials_transmission' in extensions)
+    return { kind: 'hard', reason: 'the material transmits light' }
+  const { metallicFactor, metallicRoughnessTexture } = (pbr ?? {}) as Record<string, unknown>
+  if (
+    typeof metallicFactor === 'number' &&
+    metallicFactor >= METALLIC &&
+    metallicRoughnessTexture === undefined
+  )
+    return { kind: 'hard', reason: 'the material is metallic' }
+  return { kind: undefined, reason: 'neither names nor material tell' }
+}

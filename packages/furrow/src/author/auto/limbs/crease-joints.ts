@@ -1,0 +1,142 @@
+import type { BoneDriver } from '../../../drivers/bone/definition.ts'
+import { length } from '../../../math/vector.ts'
+import { makeGauge, measureCompression, vectorsAcross } from '../fit/gauge.ts'
+import { type CreasedRegion, creaseLines, type LineSettings } from '../lines/crease.ts'
+import { findBody } from '../skeleton/body.ts'
+import type { PreparedSkin } from '../surface/prepare-skin.ts'
+import { handFrame } from './hand-frame.ts'
+import { handRegions } from './hand-regions.ts'
+import { activationAt, jointDriver } from './joint-driver.ts'
+import { type LimbSkin, limbSkin } from './limb-skin.ts'
+import { neckRegions } from './neck-regions.ts'
+import { widened } from './observed.ts'
+import type { RegionPlan } from './region-plan.ts'
+import { type TurnedSkin, turnDisplacements, turnSkin, turnTensors } from './turn.ts'
+import { wristRegions } from './wrist-regions.ts'
+
+/** Region of skin that joints fold, with the drivers of its area. */
+export interface JointRegion extends CreasedRegion {
+  drivers: BoneDriver[]
+  /** Root mean square error of the activation over the range of the joint, 0..1. */
+  error: number
+}
+
+/** Smoothing of the compression, as a fraction of the looseness. */
+const SMOOTHING = 0.35
+/** Fractions of the full angle at which the activation is compared with the compression. */
+const FRACTIONS = [0.125, 0.25, 0.5, 0.75, 1]
+
+/**
+ * Lays the wrinkle lines of skin that joints fold, on hands and necks.
+ *
+ * @param maxAreas maximum number of regions. The least important ones are dropped.
+ */
+export function creaseJoints(
+  prepared: PreparedSkin,
+  settings: LineSettings,
+  maxAreas: number,
+  report: (fraction: number) => void = () => {},
+): JointRegion[] {
+  const limb = limbSkin(prepared)
+  if (!limb) return []
+  const usable = plansOf(limb, settings).map((plan) => withMeasurableLinks(limb, plan))
+  const plans = mostImportant(
+    usable.filter(({ links }) => links.length > 0),
+    maxAreas,
+  ).map((plan) => withObserved(limb, plan))
+  const strain = new StrainCache(limb, plans.length)
+  return plans.flatMap((plan, i) => {
+    report(i / plans.length)
+    const { turned, tensors } = strain.of(plan)
+    const lines = plan.lay(tensors)
+    if (lines.length === 0) return []
+    const region = { ...plan, cause: {}, isOffHead: true }
+    const creased = creaseLines(prepared, region, lines, settings)
+    if (creased.creases.length === 0) return []
+    const drivers = plan.links.map((link) => jointDriver(limb, plan.name, link))
+    return [{ region, ...creased, drivers, error: errorOf(limb, turned, plan, creased) }]
+  })
+}
+
+/** Drops links to joints whose rotation cannot be measured, because their matrix has no volume. */
+function withMeasurableLinks({ axes }: LimbSkin, plan: RegionPlan): RegionPlan {
+  const isMeasurable = (joint: number) => axes[joint].every((axis) => length(axis) > 0)
+  const links = plan.links.filter(({ turn: { from, joints } }) => [from, ...joints].every(isMeasurable))
+  return { ...plan, links }
+}
+
+/** Widens the turns of a plan to the angles that the file shows. */
+function withObserved(limb: LimbSkin, plan: RegionPlan): RegionPlan {
+  const links = plan.links.map((link) =>
+    link.full < link.rest ? link : { ...link, turn: widened(limb, link.turn) },
+  )
+  return { ...plan, turn: widened(limb, plan.turn), links }
+}
+
+/** Strain of the last turn, because consecutive regions often share a turn or its joints. */
+class StrainCache {
+  readonly #limb: LimbSkin
+  readonly #runs: number
+  #turned: TurnedSkin | undefined
+  #looseness = 0
+  #tensors: Float64Array | undefined
+
+  constructor(limb: LimbSkin, runs: number) {
+    this.#limb = limb
+    this.#runs = runs
+  }
+
+  of({ turn, looseness }: RegionPlan): { turned: TurnedSkin; tensors: Float64Array } {
+    const before = this.#turned
+    const isKnown = before && this.#looseness === looseness && `${before.turn.joints}` === `${turn.joints}`
+    const isSameTurn = isKnown && `${before.turn.axis} ${before.turn.full}` === `${turn.axis} ${turn.full}`
+    const turned = isKnown ? { ...before, turn } : turnSkin(this.#limb, turn, looseness, this.#runs)
+    if (!this.#tensors || !isSameTurn)
+      this.#tensors = turnTensors(this.#limb, turned, 1, SMOOTHING * looseness, this.#runs)
+    this.#turned = turned
+    this.#looseness = looseness
+    return { turned, tensors: this.#tensors }
+  }
+}
+
+function plansOf(limb: LimbSkin, settings: LineSettings): RegionPlan[] {
+  const { hands, neck } = findBody(limb.skeleton)
+  const ofHands = hands.flatMap((hand) => {
+    const frame = handFrame(limb, hand)
+    if (!frame) return []
+    return [...handRegions(limb, hand, frame, settings), ...wristRegions(limb, hand, frame, settings)]
+  })
+  return [...ofHands, ...(neck ? neckRegions(limb, neck, settings) : [])]
+}
+
+function mostImportant(plans: readonly RegionPlan[], count: number): RegionPlan[] {
+  if (plans.length <= count) return [...plans]
+  const kept = new Set([...plans].sort((a, b) => b.rank - a.rank).slice(0, count))
+  return plans.filter((plan) => kept.has(plan))
+}
+
+/** Compares the activation with the square root of the compression across the lines, over the range of the turn. */
+function errorOf(
+  limb: LimbSkin,
+  turned: TurnedSkin,
+  { links, ...plan }: RegionPlan,
+  { folds }: Pick<CreasedRegion, 'folds'>,
+): number {
+  const { surface } = limb.prepared
+  const gauge = makeGauge(surface, { ...plan, cause: {} }, folds)
+  const link = links[0]
+  if (!gauge || link.full < link.rest) return 0
+  const rest = vectorsAcross(gauge, surface.points)
+  const measured = FRACTIONS.map((fraction) => {
+    const vectors = vectorsAcross(gauge, turnDisplacements(limb, turned, fraction))
+    return Math.max(0, measureCompression(gauge, rest, [{ vectors, weight: 1 }]))
+  })
+  const most = measured[measured.length - 1]
+  if (!(most > 0)) return 0
+  const share = link.full - link.rest
+  const squares = FRACTIONS.map((fraction, i) => {
+    const wanted = link.rest + share * Math.min(1, Math.sqrt(measured[i] / most))
+    return (activationAt(link, fraction) - wanted) ** 2
+  })
+  return Math.sqrt(squares.reduce((a, b) => a + b, 0) / squares.length)
+}

@@ -1,0 +1,30 @@
+import type { SkinRegion } from '../anatomy/region.ts'
+import type { LaidLine } from '../lines/laid-line.ts'
+import type { JointTurn } from './turn.ts'
+
+/** How the activation of an area follows the angle of a joint. */
+export interface JointLink {
+  turn: JointTurn
+  /** Activation at rest, 0..1. Flexion creases of the hand are folds that never vanish. */
+  rest: number
+  /** Activation at the full angle, 0..1. Less than `rest` for skin that the turn stretches. */
+  full: number
+}
+
+/** Part of a limb with its own area of influence, before its lines are laid. */
+export interface RegionPlan extends Omit<SkinRegion, 'cause'> {
+  /** Turn that compresses the skin. */
+  turn: JointTurn
+  /** Standard deviation, in millimetres, of the diffusion of skin weights: half the radius of the limb. */
+  looseness: number
+  /** Links to joints. The activations of several links add up. */
+  links: readonly JointLink[]
+  /** Importance: regions with a lower one are dropped first if there are too many areas. */
+  rank: number
+  /**
+   * Lays the lines.
+   *
+   * @param tensors result of `turnTensors` at the full angle.
+   */
+  lay(tensors: Float64Array): LaidLine[]
+}

@@ -1,0 +1,75 @@
+import type { SkinSkeleton } from '../../skin/skeleton.ts'
+import { findHandsByShape, findNeckByShape } from './body-shape.ts'
+import {
+  type BodyPart,
+  type BodySide,
+  type BoneName,
+  boneNameOf,
+  FINGERS,
+  type Finger,
+} from './bone-names.ts'
+import { ancestorsOf, commonAncestor, movedSkin } from './hierarchy.ts'
+import type { Body, HandJoints, NeckJoints } from './humanoid.ts'
+
+/** Minimum number of fingers of a hand. */
+const MIN_FINGERS = 3
+/** Maximum number of joints of a finger. Further joints at the base lie inside the palm. */
+const FINGER_JOINTS = 3
+
+/** Recognises hands and a neck by the names of the joints, or by the shape of the skeleton if the names are unknown. */
+export function findBody(skeleton: SkinSkeleton): Body {
+  const names = skeleton.joints.map(({ name, humanBone }) => boneNameOf(humanBone ?? name))
+  const isMoving = movedSkin(skeleton)
+  const named = handsByName(skeleton, names, isMoving)
+  const hands = named.length > 0 ? named : findHandsByShape(skeleton, isMoving)
+  const isNamed = names.some((found) => found?.part === 'head' || found?.part === 'neck')
+  const neck = isNamed ? neckByName(skeleton, names, isMoving) : findNeckByShape(skeleton, hands, isMoving)
+  return { hands, neck }
+}
+
+function handsByName(
+  skeleton: SkinSkeleton,
+  names: readonly (BoneName | undefined)[],
+  isMoving: readonly boolean[],
+): HandJoints[] {
+  const { joints } = skeleton
+  const depthOf = (joint: number) => ancestorsOf(joints, joint).length
+  const named = (part: BodyPart, side: BodySide) =>
+    [...joints.keys()].filter((i) => names[i]?.part === part && names[i]?.side === side)
+  return (['left', 'right', undefined] as const).flatMap((side): HandJoints[] => {
+    const fingers = new Map<Finger, readonly number[]>()
+    for (const finger of FINGERS) {
+      const chain = named(finger, side)
+        .filter((joint) => isMoving[joint])
+        .sort((a, b) => depthOf(a) - depthOf(b))
+      if (chain.length > 1) fingers.set(finger, chain.slice(-FINGER_JOINTS))
+    }
+    if (fingers.size < MIN_FINGERS) return []
+    const bases = [...fingers.values()].map(([base]) => base)
+    const wrist = named('hand', side)[0] ?? commonAncestor(joints, bases)
+    if (wrist === undefined) return []
+    const elbow = named('lowerArm', side).sort((a, b) => depthOf(a) - depthOf(b))[0]
+    return [{ side, wrist, fingers, elbow: elbow ?? armAbove(skeleton, wrist) }]
+  })
+}
+
+/** Returns the parent of a wrist, if it has a parent itself. */
+function armAbove({ joints }: SkinSkeleton, wrist: number): number | undefined {
+  const above = joints[wrist].parent
+  return above >= 0 && joints[above].parent >= 0 ? above : undefined
+}
+
+function neckByName(
+  { joints }: SkinSkeleton,
+  names: readonly (BoneName | undefined)[],
+  isMoving: readonly boolean[],
+): NeckJoints | undefined {
+  const depthOf = (joint: number) => ancestorsOf(joints, joint).length
+  const all = [...joints.keys()].filter((i) => names[i]?.part === 'neck' || names[i]?.part === 'head')
+  const deepest = all.sort((a, b) => depthOf(b) - depthOf(a)).find((i) => isMoving[i])
+  if (deepest === undefined) return undefined
+  const line = [...ancestorsOf(joints, deepest), deepest]
+  const chain = line.filter((joint) => all.includes(joint))
+  const base = joints[chain[0]].parent
+  return base < 0 ? undefined : { base, chain }
+}
