@@ -1,6 +1,7 @@
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { fileURLToPath } from 'node:url'
+import { VRMExpression, VRMExpressionManager, VRMExpressionMorphTargetBind } from '@pixiv/three-vrm-core'
 import { EXPRESSIONS, type WrinkleSet } from 'furrow'
 import { FaceTracker, Wrinkles } from 'furrow/three'
 import { afterAll, afterEach, beforeAll, describe, expect, it, vi } from 'vitest'
@@ -85,6 +86,38 @@ describe('examples of the documentation run', () => {
     remember(second)
     expect(second.calibration.shapes.jawOpen.neutral).toBe(0.25)
     vi.unstubAllGlobals()
+  })
+
+  it('tracking: speak plays visemes, on faces with and without visemes', async () => {
+    const speak = await example('docs/tracking.md', 'speak')
+    const speech = { visemes: ['PP', 'aa', 'aa'], vtimes: [100, 200, 600], vdurations: [100, 200, 200] }
+    const weights = (time: number, ...names: string[]) => {
+      const mesh = blendMesh(...names)
+      speak(mesh, speech)(time)
+      return mesh.morphTargetInfluences!
+    }
+    expect(weights(150, 'viseme_PP', 'viseme_aa')).toEqual([0.9, expect.closeTo(0.15)])
+    expect(weights(300, 'viseme_PP', 'viseme_aa')).toEqual([0, 0.6])
+    expect(weights(700, 'viseme_PP', 'viseme_aa')).toEqual([0, 0.6])
+    expect(weights(1000, 'viseme_PP', 'viseme_aa')).toEqual([0, 0])
+    expect(weights(300, 'jawOpen', 'mouthPressLeft')).toEqual([expect.closeTo(0.36), 0])
+    expect(weights(150, 'jawOpen', 'mouthPressLeft')).toEqual([expect.closeTo(0.09), 0.45])
+  })
+
+  it('tracking: followAvatar moves blendshapes that three-vrm resets', async () => {
+    const mesh = blendMesh('Fcl_MTH_A', 'browInnerUp')
+    const manager = new VRMExpressionManager()
+    const aa = new VRMExpression('aa')
+    aa.addBind(new VRMExpressionMorphTargetBind({ primitives: [mesh], index: 0, weight: 1 }))
+    manager.registerExpression(aa)
+    const follow = (await example('docs/tracking.md', 'followAvatar'))({
+      scene: mesh,
+      update: () => manager.update(),
+    })
+    for (let i = 0; i < 3; i++) {
+      follow({ jawOpen: 0.5, browInnerUp: 0.25 }, 1 / 60)
+      expect(mesh.morphTargetInfluences).toEqual([0.5, 0.25])
+    }
   })
 
   it('expressions: react plays expressions', async () => {

@@ -54,7 +54,7 @@ describe('documentation', () => {
         /<script[^>]*>([\s\S]*?)<\/script>/.exec(text)![1],
       ]),
     )
-    expect(recipes).toHaveLength(2)
+    expect(recipes).toHaveLength(3)
     const errors = await compile(new Map([...plain, ...react, ...recipes]))
     // Ignores unused declarations in recipes, because the template of the component uses them.
     expect(errors.filter((line) => !/recipe-.*: error TS(6133|6192|6196):/.test(line))).toEqual([])

@@ -7,8 +7,15 @@ declare module '@threlte/core' {
     Proto: Proto,
     options?: { extend?: (loader: InstanceType<Proto>) => void },
   ): { load(url: string): Promise<Awaited<ReturnType<InstanceType<Proto>['loadAsync']>>> }
+  export function useThrelte(): { invalidate(): void }
   export const T: unknown
 }
+
+/** svelte 5.57.3 */
+declare module 'svelte' {
+  export function onMount(start: () => () => void): void
+}
+declare function $props(): { address: string }
 
 /** @tresjs/core 5.9.1, dist/tres.d.ts */
 declare module '@tresjs/core' {
@@ -28,12 +35,14 @@ declare module 'aframe' {
       setObject3D(type: string, object: import('three').Object3D): void
       removeObject3D(type: string): void
       emit(name: string, detail: object): void
+      addEventListener(type: string, listener: (event: Event) => void): void
     }
+    live: unknown
   }
   const AFRAME: {
     registerComponent(
       name: string,
-      definition: { schema: object; update(): void; remove(): void } & ThisType<Component>,
+      definition: { schema: object; init?(): void; update?(): void; remove(): void } & ThisType<Component>,
     ): void
   }
   export default AFRAME

@@ -85,6 +85,8 @@ describe('names of sources', () => {
     ['VRM 1.0', { aa: 0.5 }, 'jawOpen', 0.3],
     ['VRM', { Joy: 0.5 }, 'mouthSmileRight', 0.4],
     ['Oculus', { viseme_U: 1 }, 'mouthPucker', 0.7],
+    ['Oculus, short', { U: 1 }, 'mouthPucker', 0.7],
+    ['Oculus, short', { nn: 1 }, 'jawOpen', 0.12],
     ['VRChat', { 'vrc.v_ou': 1 }, 'mouthPucker', 0.7],
     ['OpenSeeFace', { EyeLeft: -0.5 }, 'eyeBlinkLeft', 0.5],
     ['OpenSeeFace', { EyeLeft: 0.5 }, 'eyeWideLeft', 0.5],
@@ -98,7 +100,9 @@ describe('names of sources', () => {
   })
 
   it('prefers a blendshape of the face to a mix of others', () => {
-    expect(tracked(['viseme_aa', 'jawOpen'], { filter: null }).hold({ viseme_aa: 0.5 })).toEqual([0.5, 0])
+    const hold = (name: string) => tracked([name, 'jawOpen'], { filter: null }).hold({ [name]: 0.5 })
+    expect(hold('viseme_aa')).toEqual([0.5, 0])
+    expect(hold('A')).toEqual([0.5, 0])
   })
 
   it('moves presets of VRM by scores of ARKit', () => {

@@ -1,5 +1,5 @@
 import type { BindTargets, TargetBinding } from '../target-binding.ts'
-import { mixOf, shapeOfScore } from './source-names.ts'
+import { mixOf, shapesOfScore } from './source-names.ts'
 import { SUBSTITUTES } from './substitutes.ts'
 
 /** Contribution of a score to a blendshape. */
@@ -42,10 +42,10 @@ export function planTracker(
   bind: BindTargets,
   { isMirrored, hasSubstitutes }: { isMirrored: boolean; hasSubstitutes: boolean },
 ): TrackerPlan {
-  const wanted = names.map(shapeOfScore)
+  const candidates = names.map(shapesOfScore)
   const known = [
     ...new Set([
-      ...wanted.flatMap((name) => (name === undefined ? [] : [name, ...partsOf(name)])),
+      ...candidates.flat().flatMap((name) => [name, ...partsOf(name)]),
       ...(hasSubstitutes ? SUBSTITUTES.map(({ shape }) => shape) : []),
     ]),
   ]
@@ -59,7 +59,8 @@ export function planTracker(
   }
   const links: ScoreLink[] = []
   const missing: string[] = []
-  for (const [score, name] of wanted.entries()) {
+  for (const [score, possible] of candidates.entries()) {
+    const name = possible.find((each) => bound.has(each)) ?? possible.at(-1)
     if (name === undefined) continue
     const mix = mixOf(name)
     const parts = partsOf(name)

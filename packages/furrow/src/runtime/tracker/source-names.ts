@@ -4,8 +4,11 @@ import { canonicalTargetName } from '../../drivers/morph/target-names.ts'
 /** Names of values that are no blendshapes: MediaPipe's score of a neutral face, VRM's neutral face, and the rotations of Live Link Face. */
 const IGNORED = /^(_neutral|neutral|(Head|LeftEye|RightEye)(Yaw|Pitch|Roll))$/i
 
-/** Presets of VRM 0 whose names differ from VRM 1.0 by more than `ALIASES` covers. */
+/** Short names: Oculus visemes without a prefix, and presets of VRM 0 that differ from VRM 1.0 by more than `ALIASES` covers. */
 const SHORT_NAMES: ReadonlyMap<string, string> = new Map([
+  ...['sil', 'PP', 'FF', 'TH', 'DD', 'kk', 'CH', 'SS', 'nn', 'RR'].map(
+    (name) => [name, `viseme_${name}`] as const,
+  ),
   ['A', 'viseme_aa'],
   ['I', 'viseme_I'],
   ['U', 'viseme_U'],
@@ -88,10 +91,13 @@ const MIXES: ReadonlyMap<string, ShapeMix> = new Map(
   }),
 )
 
-/** Returns the canonical name of a score's blendshape; undefined if the score is no blendshape. */
-export function shapeOfScore(name: string): string | undefined {
-  if (IGNORED.test(name)) return undefined
-  return MIXES.has(name) ? name : (SHORT_NAMES.get(name) ?? canonicalTargetName(name))
+/** Returns possible canonical names of a score's blendshape, preferred first. The list is empty if the score is no blendshape. */
+export function shapesOfScore(name: string): readonly string[] {
+  if (IGNORED.test(name)) return []
+  const long = SHORT_NAMES.get(name)
+  // A face can have a blendshape with the short name.
+  if (long !== undefined) return [name, long]
+  return [MIXES.has(name) ? name : canonicalTargetName(name)]
 }
 
 /** Returns blendshapes that replace a canonical blendshape on a face that lacks it. */
