@@ -2,6 +2,7 @@ import { readdirSync, readFileSync } from 'node:fs'
 import { playwright } from '@vitest/browser-playwright'
 import { defineConfig, type TestProjectInlineConfiguration } from 'vitest/config'
 import { CHROMIUM_FLAGS } from './packages/cli/src/chromium-flags.ts'
+import { serveGodot } from './scripts/lib/godot.mjs'
 import { mtoonNodes } from './scripts/lib/mtoon-nodes.mjs'
 import { SOURCES } from './scripts/lib/sources.mjs'
 import { PROMISES } from './scripts/lib/test-files.mjs'
@@ -60,6 +61,7 @@ export default defineConfig({
       packagesProject('packages'),
       pagesProject('pages'),
       gpuProject('gpu', ['test/gpu/**/*.test.ts']),
+      gpuProject('godot', ['test/godot/**/*.test.ts']),
       onOldestThree(gpuProject('gpu-oldest', FILES_FOR_OLDEST)),
       onOldestBabylon(gpuProject('gpu-oldest-babylon', FILES_FOR_OLDEST_BABYLON)),
       onBrowser(firefox, gpuProject('firefox', PROMISES_ON_GPU)),
@@ -112,7 +114,7 @@ function gpuProject(name: string, include: string[]): TestProjectInlineConfigura
   return {
     resolve,
     ssr,
-    plugins: [serveFaces(SOURCES), mtoonNodes()],
+    plugins: [serveFaces(SOURCES), serveGodot(), mtoonNodes()],
     optimizeDeps: {
       // If Vite discovered a dependency during a test, it would reload the page. Dependencies that are not listed are served unchanged.
       noDiscovery: true,

@@ -4,14 +4,19 @@ import { SOURCES } from '../scripts/lib/sources.mjs'
 
 export const ROOT = fileURLToPath(new URL('..', import.meta.url))
 
-/** Starts a Vite server for the repository. Browsers load pages from it, and this process loads modules with `ssrLoadModule`. Close it after use. */
-export async function serve() {
+/**
+ * Starts a Vite server for the repository. Browsers load pages from it, and this process loads modules with `ssrLoadModule`. Close it after use.
+ *
+ * @param plugins Vite plugins that serve other files.
+ */
+export async function serve(plugins = []) {
   const server = await createServer({
     root: ROOT,
     configFile: false,
     cacheDir: 'node_modules/.vite-bench',
     logLevel: 'warn',
     ...SOURCES,
+    plugins,
     optimizeDeps: {
       entries: [
         'bench/page/page.html',
@@ -19,6 +24,7 @@ export async function serve() {
         'bench/cycles/page.html',
         'bench/cycles/babylon.html',
         'bench/babylon/page.html',
+        'bench/godot/page.html',
       ],
       include: ['three', 'three/webgpu', 'three/tsl', 'three/addons/loaders/GLTFLoader.js'],
     },

@@ -6,6 +6,7 @@ import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { ensureBrowser } from './lib/browser.mjs'
 import { resultsOf, writeConformance } from './lib/conformance-table.mjs'
+import { setUpGodot } from './lib/godot.mjs'
 import { Failure, main, ROOT, run, say } from './lib/run.mjs'
 import { setUp } from './lib/set-up.mjs'
 
@@ -46,10 +47,13 @@ async function makeFiles() {
 }
 
 async function runEngines() {
+  await setUpGodot()
   const report = await readReport((file) => {
     const reporters = ['--reporter=default', '--reporter=json', `--outputFile.json=${file}`]
     const env = { ...process.env, FURROW_TESTS: 'all' }
-    return run(['npx', 'vitest', 'run', '--project', 'gpu', 'test/gpu/conformance', ...reporters], { env })
+    const projects = ['--project', 'gpu', '--project', 'godot']
+    const files = ['test/gpu/conformance', 'test/godot/conformance.test.ts']
+    return run(['npx', 'vitest', 'run', ...projects, ...files, ...reporters], { env })
   })
   return resultsOf(report)
 }

@@ -10,6 +10,7 @@ import { join } from 'node:path'
 import { ensureBrowser, readAdapters } from './lib/browser.mjs'
 import { changedFirst } from './lib/changed-tests.mjs'
 import { watchCpuTime } from './lib/cpu-time.mjs'
+import { setUpGodot } from './lib/godot.mjs'
 import { missingPackages } from './lib/other-browsers.mjs'
 import { setUpPython } from './lib/python.mjs'
 import { Failure, main, run, say } from './lib/run.mjs'
@@ -32,6 +33,15 @@ const PREPARATIONS = {
   site: async () => {
     if (Date.now() > process.env.FURROW_TEST_UNTIL - SITE_TIME) return [{ name: 'site', state: 'skipped' }]
     return [await timed('build site', [process.execPath, 'site/build.mjs'])]
+  },
+  godot: async () => {
+    try {
+      await setUpGodot()
+      return []
+    } catch (error) {
+      say(`godot    missing: ${error.message}`)
+      return [{ name: 'godot', state: 'skipped' }]
+    }
   },
   batch: async () => {
     if (spawnSync('redis-server', ['--version']).status === 0) return []

@@ -16,6 +16,7 @@ const FOLDERS = [
   'faces/human-2',
   'faces/hand',
   'faces/neck',
+  'godot',
 ]
 /** In the direct subfolders of these folders, all Markdown files become pages too. */
 const SUBFOLDERS = ['bench']

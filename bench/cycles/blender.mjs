@@ -7,35 +7,16 @@ import { mkdtemp, rm, writeFile } from 'node:fs/promises'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
 import { promisify } from 'node:util'
-import sharp from 'sharp'
 import { openPage, ROOT, runServed, serve } from '../serve.mjs'
+import { composeRow, differenceOf } from './compose.mjs'
 
 const PYTHON = join(ROOT, 'blender/.venv-4.5/bin/python')
-const BACKGROUND = { r: 40, g: 40, b: 40 }
 const LAMP_ANGLE = 4
 const SAMPLES = 48
-const GAP = 8
 /** Width of each picture in pixels, in a row of two pictures. */
 const WIDTH = 560
 /** Width of each picture in pixels, in a row of five pictures. */
 const WIDTH_OF_FIVE = 400
-/** Rectangle of the forehead, as fractions of a picture's width and height. */
-const CROP = { left: 0.22, top: 0.2, width: 0.5, height: 0.26 }
-
-const SHOT = {
-  name: 'blender',
-  face: 'human',
-  age: 45,
-  targets: {
-    browInnerUp: 1,
-    browOuterUpLeft: 1,
-    browOuterUpRight: 1,
-    mouthSmileLeft: 0.7,
-    mouthSmileRight: 0.7,
-  },
-  view: { yaw: 10, pitch: 4, zoom: 1.5 },
-  relief: 'off',
-}
 
 const server = await serve()
 await runServed(server, async () => {
@@ -45,7 +26,7 @@ await runServed(server, async () => {
   const file = (name) => join(folder, name)
   try {
     const { launchBrowser } = await server.ssrLoadModule('/packages/cli/src/browser.ts')
-    const { LAMPS, SIZE, AMBIENT } = await server.ssrLoadModule('/bench/cycles/shots.ts')
+    const { LAMPS, SIZE, AMBIENT, ENGINES_SHOT } = await server.ssrLoadModule('/bench/cycles/shots.ts')
     const write = (name, url) => writeFile(file(`${name}.png`), Buffer.from(url.split(',')[1], 'base64'))
     const browser = await launchBrowser()
     let description
@@ -56,7 +37,7 @@ await runServed(server, async () => {
         'three-webgpu': '?webgpu',
       })) {
         const page = await openPage(server, browser, `/bench/cycles/page.html${search}`, 'pose')
-        description = await page.evaluate((shot) => globalThis.pose('/faces/human.glb', shot), SHOT)
+        description = await page.evaluate((shot) => globalThis.pose('/faces/human.glb', shot), ENGINES_SHOT)
         await write(name, await page.evaluate(() => globalThis.draw('default')))
         await page.close()
       }
@@ -69,11 +50,11 @@ await runServed(server, async () => {
         )
         const { url, activations } = await page.evaluate(
           ([shot, camera]) => globalThis.drawWithBabylon('/faces/human.glb', shot, camera),
-          [SHOT, description.camera],
+          [ENGINES_SHOT, description.camera],
         )
         await write(`babylon-${backend}`, url)
         await page.close()
-        console.info(`Babylon.js on ${backend}: ${difference(activations, description.activations)}`)
+        console.info(`Babylon.js on ${backend}: ${differenceOf(activations, description.activations)}`)
       }
     } finally {
       await browser.close()
@@ -82,7 +63,7 @@ await runServed(server, async () => {
     const face = join(ROOT, 'faces/human.glb')
     const scene = {
       face,
-      targets: SHOT.targets,
+      targets: ENGINES_SHOT.targets,
       camera,
       activations,
       lamps: LAMPS,
@@ -103,42 +84,10 @@ await runServed(server, async () => {
     )
     const pictures = (...names) => names.map((name) => file(`${name}.png`))
     const figure = (name) => join(ROOT, `docs/figures/${name}.jpg`)
-    await compose(pictures('three', 'blender'), SIZE, WIDTH, figure('blender'))
+    await composeRow(pictures('three', 'blender'), SIZE, WIDTH, figure('blender'))
     const five = pictures('three-webgl', 'three-webgpu', 'babylon-webgl', 'babylon-webgpu', 'blender')
-    await compose(five, SIZE, WIDTH_OF_FIVE, figure('engines'))
+    await composeRow(five, SIZE, WIDTH_OF_FIVE, figure('engines'))
   } finally {
     await rm(folder, { recursive: true, force: true })
   }
 })
-
-function difference(activations, expected) {
-  const largest = Math.max(
-    ...Object.keys(expected).map((name) => Math.abs(activations[name] - expected[name])),
-  )
-  return `activations differ from three.js by at most ${largest.toExponential(1)}`
-}
-
-/** Writes a figure with the pictures in a row, and an enlarged crop of the forehead below each. `side` is the pictures' size in pixels. */
-async function compose(pictures, side, width, path) {
-  const part = Object.fromEntries(
-    Object.entries(CROP).map(([name, value]) => [name, Math.round(value * side)]),
-  )
-  const cropHeight = Math.round((width * part.height) / part.width)
-  const layers = await Promise.all(
-    pictures.flatMap((picture, i) => {
-      const left = i * (width + GAP)
-      const flat = () => sharp(picture).flatten({ background: BACKGROUND })
-      const full = flat().resize(width, width).png().toBuffer()
-      const crop = flat().extract(part).resize(width, cropHeight).png().toBuffer()
-      return [
-        full.then((input) => ({ input, left, top: 0 })),
-        crop.then((input) => ({ input, left, top: width + GAP })),
-      ]
-    }),
-  )
-  const size = { width: pictures.length * (width + GAP) - GAP, height: width + GAP + cropHeight }
-  await sharp({ create: { ...size, channels: 3, background: '#fff' } })
-    .composite(layers)
-    .jpeg({ quality: 85 })
-    .toFile(path)
-}

@@ -42,6 +42,16 @@ const SURPRISE = { browInnerUp: 1, ...both('browOuterUp') }
 const FROWN = { ...both('browDown'), ...both('noseSneer', 0.4) }
 const SMILE = { ...both('mouthSmile', 0.9), ...both('cheekSquint', 0.8), ...both('eyeSquint', 0.3) }
 
+/** The picture that compares engines. It is not compared with Cycles by number. */
+export const ENGINES_SHOT: Omit<Shot, 'crop'> = {
+  name: 'engines',
+  face: 'human',
+  age: 45,
+  targets: { ...SURPRISE, ...both('mouthSmile', 0.7) },
+  view: { yaw: 10, pitch: 4, zoom: 1.5 },
+  relief: 'off',
+}
+
 const FOREHEAD = { left: 0.25, top: 0.1, width: 0.5, height: 0.3 }
 
 export const SHOTS: readonly Shot[] = [

@@ -36,6 +36,7 @@ const GUIDES = [
     doc('React Three Fiber', 'react'),
     doc('Other frameworks', 'frameworks'),
     doc('Babylon.js', 'babylon'),
+    { text: 'Godot', link: '/godot/' },
     doc('Inspector', 'inspector'),
     doc('VRM', 'vrm'),
     doc('Blender', 'blender'),

@@ -13,6 +13,7 @@ const PAGES = [
   'SECURITY.md',
   'CODE_OF_CONDUCT.md',
   'site/README.md',
+  'godot/README.md',
   'packages/furrow/README.md',
   'packages/cli/README.md',
   ...readdirSync(join(ROOT, 'docs'))

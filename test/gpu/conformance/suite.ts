@@ -46,18 +46,7 @@ export function testSamples(
   })
 
   it.each(SAMPLES.filter((name) => !missing.includes(name)))('%s', async (name) => {
-    const { refused, poses = [] } = expectedOf(name)
-    const opened = await open(name)
-    expect(opened.isWrinkled).toBe(!refused)
-    for (const [i, pose] of poses.entries()) {
-      const activations = await opened.pose(pose)
-      expect(Object.keys(activations)).toEqual(Object.keys(pose.activations))
-      for (const [area, activation] of Object.entries(pose.activations)) {
-        expect(Math.abs(activations[area] - activation), area).toBeLessThanOrEqual(1e-6)
-      }
-      if (pose.points) await checkPoints(opened, pose.points, await pictureOf(name, i))
-    }
-    await opened.dispose()
+    await checkSample(await open(name), name)
   })
 
   it.each(missing)('%s gets no wrinkles', async (name) => {
@@ -65,6 +54,21 @@ export function testSamples(
     expect(opened.isWrinkled).toBe(false)
     await opened.dispose()
   })
+}
+
+/** Compares a loaded sample with the expected results, and disposes of it. */
+export async function checkSample(opened: OpenedSample, name: string): Promise<void> {
+  const { refused, poses = [] } = expectedOf(name)
+  expect(opened.isWrinkled).toBe(!refused)
+  for (const [i, pose] of poses.entries()) {
+    const activations = await opened.pose(pose)
+    expect(Object.keys(activations)).toEqual(Object.keys(pose.activations))
+    for (const [area, activation] of Object.entries(pose.activations)) {
+      expect(Math.abs(activations[area] - activation), area).toBeLessThanOrEqual(1e-6)
+    }
+    if (pose.points) await checkPoints(opened, pose.points, await pictureOf(name, i))
+  }
+  await opened.dispose()
 }
 
 async function checkPoints(opened: OpenedSample, points: readonly ExpectedPoint[], picture: ImageData) {

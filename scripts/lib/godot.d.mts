@@ -1,0 +1,4 @@
+import type { Plugin } from 'vite'
+
+export function serveGodot(): Plugin
+export function setUpGodot(): Promise<void>
