@@ -39,10 +39,10 @@ func _frame(face: Node) -> void:
 		return
 	var instance: MeshInstance3D = found[0].get_mesh_instance()
 	var bounds := instance.global_transform * instance.get_aabb()
-	_camera.position = bounds.get_center() + Vector3(0.2, 0.05, 1.0) * bounds.size.y * 2.5
+	_camera.position = bounds.get_center() + Vector3(0.2, 0.05, 1.0) * bounds.size.y * 3.2
 	_camera.look_at(bounds.get_center())
 	# Moves the face to the right of the sliders.
-	_camera.h_offset = -0.5 * bounds.size.x
+	_camera.h_offset = -0.7 * bounds.size.x
 
 
 func _add_slider(expression: String) -> void:

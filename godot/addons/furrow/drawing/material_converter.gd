@@ -113,7 +113,7 @@ func _code(uses_uv2: bool) -> String:
 	var inputs := "" if light == "" else FurrowWrinkleShader.LIGHT_INPUTS
 	var fragment := _fragment()
 	return "shader_type spatial;\nrender_mode %s;\n%s%svoid vertex() {\n%s}\n\nvoid fragment() {\n%s}\n%s" % [
-		", ".join(_render_modes()), _uniforms(), _wrinkles.declarations() + inputs, _vertex(uses_uv2), fragment, light,
+		", ".join(_render_modes()), _uniforms(), _wrinkles.declarations(FILTERS[_material.texture_filter]) + inputs, _vertex(uses_uv2), fragment, light,
 	]
 
 

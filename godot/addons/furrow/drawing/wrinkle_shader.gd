@@ -156,11 +156,11 @@ func has_maps(slot: String) -> bool:
 	return _set.layers.any(func(layer: Dictionary) -> bool: return layer.has(slot))
 
 
-## Returns declarations for the start of the shader.
-func declarations() -> String:
+## Returns declarations for the start of the shader. [param filter] is the filter of the material's textures.
+func declarations(filter: String) -> String:
 	var code := COORDINATES + FRAME + COLOURS
 	for kind: String in _set.maps:
-		code += "uniform sampler2DArray %s : filter_linear_mipmap_anisotropic, repeat_disable;\n" % SAMPLERS[kind]
+		code += "uniform sampler2DArray %s : %s, repeat_disable;\n" % [SAMPLERS[kind], filter]
 	if has_maps("onsetTexture"):
 		code += ONSET
 	if has_maps("baseColorTexture"):
