@@ -21,7 +21,8 @@ export class OneEuroFilters {
   readonly #filtered: Float64Array
   readonly #speeds: Float64Array
   readonly #options: Readonly<OneEuroOptions>
-  #time: number | undefined
+  /** Time of the last frame, seconds; NaN before the first. */
+  #time = Number.NaN
 
   /** @param count number of signals. */
   constructor(count: number, options: Readonly<OneEuroOptions>) {
@@ -39,8 +40,8 @@ export class OneEuroFilters {
   apply(samples: Float64Array, time: number): void {
     const { minCutoff, beta, speedCutoff, noiseSpeed } = this.#options
     const filtered = this.#filtered
-    const seconds = this.#time === undefined ? Number.POSITIVE_INFINITY : time - this.#time
-    if (seconds > MAX_PAUSE) {
+    const seconds = time - this.#time
+    if (Number.isNaN(seconds) || seconds > MAX_PAUSE) {
       filtered.set(samples)
       this.#speeds.fill(0)
       this.#time = time
@@ -48,19 +49,17 @@ export class OneEuroFilters {
     }
     if (seconds > 0) {
       this.#time = time
-      const share = shareOf(speedCutoff, seconds)
+      // Exponential smoothing with the cutoff frequency c gives a new sample the weight 1 / (1 + 1 / (2 pi c seconds)). The formula is inline,
+      // because a function would allocate numbers.
+      const turn = 2 * Math.PI * seconds
+      const share = 1 / (1 + 1 / (turn * speedCutoff))
       for (let i = 0; i < filtered.length; i++) {
         const speed = (samples[i] - filtered[i]) / seconds
         this.#speeds[i] += share * (speed - this.#speeds[i])
         const cutoff = minCutoff + beta * Math.max(0, Math.abs(this.#speeds[i]) - noiseSpeed)
-        filtered[i] += shareOf(cutoff, seconds) * (samples[i] - filtered[i])
+        filtered[i] += (samples[i] - filtered[i]) / (1 + 1 / (turn * cutoff))
       }
     }
     samples.set(filtered)
   }
-}
-
-/** Weight of a new sample in exponential smoothing with a cutoff frequency in Hz. */
-function shareOf(cutoff: number, seconds: number): number {
-  return 1 / (1 + 1 / (2 * Math.PI * cutoff * seconds))
 }

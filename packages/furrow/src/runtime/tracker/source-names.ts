@@ -5,20 +5,27 @@ import { canonicalTargetName } from '../../drivers/morph/target-names.ts'
 const IGNORED = /^(_neutral|neutral|(Head|LeftEye|RightEye)(Yaw|Pitch|Roll))$/i
 
 /** Short names: Oculus visemes without a prefix, and presets of VRM 0 that differ from VRM 1.0 by more than `ALIASES` covers. */
-const SHORT_NAMES: ReadonlyMap<string, string> = new Map([
-  ...['sil', 'PP', 'FF', 'TH', 'DD', 'kk', 'CH', 'SS', 'nn', 'RR'].map(
-    (name) => [name, `viseme_${name}`] as const,
-  ),
-  ['A', 'viseme_aa'],
-  ['I', 'viseme_I'],
-  ['U', 'viseme_U'],
-  ['E', 'viseme_E'],
-  ['O', 'viseme_O'],
-  ['LookUp', 'lookUp'],
-  ['LookDown', 'lookDown'],
-  ['LookLeft', 'lookLeft'],
-  ['LookRight', 'lookRight'],
-])
+const SHORT_NAMES: Readonly<Record<string, string>> = {
+  sil: 'viseme_sil',
+  PP: 'viseme_PP',
+  FF: 'viseme_FF',
+  TH: 'viseme_TH',
+  DD: 'viseme_DD',
+  kk: 'viseme_kk',
+  CH: 'viseme_CH',
+  SS: 'viseme_SS',
+  nn: 'viseme_nn',
+  RR: 'viseme_RR',
+  A: 'viseme_aa',
+  I: 'viseme_I',
+  U: 'viseme_U',
+  E: 'viseme_E',
+  O: 'viseme_O',
+  LookUp: 'lookUp',
+  LookDown: 'lookDown',
+  LookLeft: 'lookLeft',
+  LookRight: 'lookRight',
+}
 
 /** Blendshapes with factors: `up` follows positive scores, `down` follows negative scores. */
 export interface ShapeMix {
@@ -28,8 +35,8 @@ export interface ShapeMix {
 
 const both = (name: string, factor = 1) => ({ [`${name}Left`]: factor, [`${name}Right`]: factor })
 
-/** Visemes of Oculus as ARKit blendshapes, by the position of jaw and lips for each sound. */
-const VISEMES: Readonly<Record<string, Readonly<Record<string, number>>>> = {
+/** Returns the visemes of Oculus as ARKit blendshapes, by the position of jaw and lips for each sound. */
+const visemes = (): Record<string, Record<string, number>> => ({
   viseme_sil: {},
   viseme_PP: { ...both('mouthPress', 0.5), mouthRollLower: 0.3, mouthRollUpper: 0.3 },
   viseme_FF: { ...both('mouthUpperUp', 0.2), mouthRollLower: 0.6, jawOpen: 0.05 },
@@ -45,7 +52,7 @@ const VISEMES: Readonly<Record<string, Readonly<Record<string, number>>>> = {
   viseme_I: { ...both('mouthSmile', 0.2), ...both('mouthStretch', 0.4), jawOpen: 0.15 },
   viseme_O: { mouthFunnel: 0.6, jawOpen: 0.4 },
   viseme_U: { mouthPucker: 0.7, jawOpen: 0.15 },
-}
+})
 
 /**
  * Features of OpenSeeFace, each -1..1 with 0 at rest, as `Unity/OpenSee.cs` describes them
@@ -64,10 +71,10 @@ function openSeeFeatures(side: 'Left' | 'Right'): Record<string, ShapeMix> {
   }
 }
 
-/** Replacements for scores of shapes that a face lacks, by canonical name. */
-const MIXES: ReadonlyMap<string, ShapeMix> = new Map(
-  Object.entries<ShapeMix>({
-    ...Object.fromEntries(Object.entries(VISEMES).map(([name, up]) => [name, { up }])),
+/** Returns replacements for scores of shapes that a face lacks, by canonical name. */
+function allMixes(): Record<string, ShapeMix> {
+  return {
+    ...Object.fromEntries(Object.entries(visemes()).map(([name, up]) => [name, { up }])),
     ...openSeeFeatures('Left'),
     ...openSeeFeatures('Right'),
     MouthOpen: { up: { jawOpen: 1 } },
@@ -88,19 +95,22 @@ const MIXES: ReadonlyMap<string, ShapeMix> = new Map(
     jawOpen: { up: { viseme_aa: 1 } },
     mouthFunnel: { up: { viseme_O: 1 } },
     mouthPucker: { up: { viseme_U: 1 } },
-  }),
-)
+  }
+}
+
+/** Table of all mixes, created at the first lookup, so that pages without a tracker do not download it. */
+let mixes: ReadonlyMap<string, ShapeMix> | undefined
 
 /** Returns possible canonical names of a score's blendshape, preferred first. The list is empty if the score is no blendshape. */
 export function shapesOfScore(name: string): readonly string[] {
   if (IGNORED.test(name)) return []
-  const long = SHORT_NAMES.get(name)
   // A face can have a blendshape with the short name.
-  if (long !== undefined) return [name, long]
-  return [MIXES.has(name) ? name : canonicalTargetName(name)]
+  if (Object.hasOwn(SHORT_NAMES, name)) return [name, SHORT_NAMES[name]]
+  return [mixOf(name) ? name : canonicalTargetName(name)]
 }
 
 /** Returns blendshapes that replace a canonical blendshape on a face that lacks it. */
 export function mixOf(shape: string): ShapeMix | undefined {
-  return MIXES.get(shape)
+  mixes ??= new Map(Object.entries(allMixes()))
+  return mixes.get(shape)
 }

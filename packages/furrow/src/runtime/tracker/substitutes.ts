@@ -31,7 +31,9 @@ function cheek(shape: number, smile: number, squint: number): Apply {
   }
 }
 
-export const SUBSTITUTES: readonly Substitute[] = ['Left', 'Right'].flatMap((side): Substitute[] => [
-  { shape: `noseSneer${side}`, from: [`mouthUpperUp${side}`, `browDown${side}`], create: sneer },
-  { shape: `cheekSquint${side}`, from: [`mouthSmile${side}`, `eyeSquint${side}`], create: cheek },
-])
+export const SUBSTITUTES: readonly Substitute[] = [
+  { shape: 'noseSneerLeft', from: ['mouthUpperUpLeft', 'browDownLeft'], create: sneer },
+  { shape: 'noseSneerRight', from: ['mouthUpperUpRight', 'browDownRight'], create: sneer },
+  { shape: 'cheekSquintLeft', from: ['mouthSmileLeft', 'eyeSquintLeft'], create: cheek },
+  { shape: 'cheekSquintRight', from: ['mouthSmileRight', 'eyeSquintRight'], create: cheek },
+]
