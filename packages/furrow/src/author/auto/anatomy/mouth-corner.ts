@@ -24,10 +24,10 @@ export function mouthCorner(
   // The arc is smooth when the corner is pulled back.
   const moved = motionOf({ [`mouthDimple${name}`]: 0.9, [`mouthSmile${name}`]: 0.4 })
   const [pulled, height] = moved([side * corner, mouth])
-  const beside = side * pulled + rng.uniform(3.5, 6)
-  const high = byAge(0.7, 1.2) * rng.uniform(4, 8)
+  const beside = side * pulled + rng.uniform(3, 7.5)
+  const high = byAge(0.7, 1.2) * rng.uniform(3, 9)
   const low = byAge(0.7, 1.2) * rng.uniform(1.5, 5)
-  const tilt = rng.jitter(1.5)
+  const tilt = rng.jitter(2.5)
   const arc = bezierPath(
     side,
     [beside - 2 + tilt, height + high],
@@ -48,7 +48,7 @@ export function mouthCorner(
     },
   ]
   if (ageFraction > MARIONETTE_AGE) {
-    const [across, up] = [corner + rng.uniform(0.5, 3.5), mouth - rng.uniform(2.5, 4.5)]
+    const [across, up] = [corner + rng.uniform(0, 4.5), mouth - rng.uniform(2, 6)]
     const [curve, lean] = [rng.uniform(0.5, 3), rng.uniform(-1.5, 4)]
     const length = byAge(9, 24) * rng.uniform(0.75, 1.1)
     guides.push({
