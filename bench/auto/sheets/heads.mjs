@@ -9,7 +9,7 @@ import { importSource } from '../../../scripts/lib/import-source.mjs'
 import { must, ROOT, say } from '../../../scripts/lib/run.mjs'
 import { setUpSampleHeads } from '../sample-heads.mjs'
 
-/** Random heads that no constant of the algorithm was tuned on. */
+/** Seeds of random heads. */
 const SAMPLES = { realistic: [31, 32, 33, 34, 35], stylised: [31, 32, 33] }
 
 /** Checkouts whose wrinkles are drawn, by the name in the files. */

@@ -15,9 +15,10 @@ await main(async () => {
   const { median } = await importSource('packages/furrow/src/math/quantile.ts')
   const { sheets } = JSON.parse(readFileSync(keyFile, 'utf8'))
   const readers = files.map((file) => scoresOf(file, Object.keys(sheets)))
-  console.info(`| region | ${['before', 'after'].flatMap((v) => [v, `median ${v}`]).join(' | ')} |`)
+  console.info('| region | first | median | current | median |')
   console.info('| --- | --- | --- | --- | --- |')
-  for (const region of Object.keys(REGIONS)) {
+  const isScored = (region) => Object.values(sheets).some((sheet) => sheet.region === region)
+  for (const region of Object.keys(REGIONS).filter(isScored)) {
     const cells = ['before', 'after'].flatMap((version) => {
       const names = Object.keys(sheets).filter(
         (name) => sheets[name].region === region && sheets[name].version === version,
