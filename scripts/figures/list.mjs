@@ -108,6 +108,17 @@ export const FIGURES = {
     { ...NECK, page: 'joints.html?model=neck&turn=1&smooth' },
     { ...NECK, page: 'joints.html?model=neck&turn=1' },
   ],
+  body: ['&smooth', ''].flatMap((end, row) =>
+    [
+      { ...HAND, page: 'joints.html?fist=0' },
+      { ...HAND, page: 'joints.html?fist=0.45' },
+      { ...HAND, page: 'joints.html?fist=0&view=165' },
+      { ...NECK, page: 'joints.html?model=neck&turn=0' },
+      { ...NECK, page: 'joints.html?model=neck&turn=0.5' },
+      { ...NECK, page: 'joints.html?model=neck&turn=1' },
+      { ...NECK, page: 'joints.html?model=neck&nod=1' },
+    ].map((picture, i) => ({ ...picture, page: picture.page + end, scale: 0.6, beginsRow: row > 0 && i === 0 })),
+  ),
   knuckles: [
     { ...FIST, page: 'joints.html?fist=1&view=165&smooth' },
     { ...FIST, page: 'joints.html?fist=1&view=165' },
@@ -143,7 +154,7 @@ export const FIGURES = {
 /** File format per figure. Default: PNG. Figures with many faces are smaller as JPEG. */
 export const FORMATS = {
   ...Object.fromEntries(
-    ['guide', 'auto-human', 'auto-scan', 'blood', 'inspector', 'skin/furrows', ...Object.keys(CLOSE_UPS)].map(
+    ['guide', 'body', 'auto-human', 'auto-scan', 'blood', 'inspector', 'skin/furrows', ...Object.keys(CLOSE_UPS)].map(
       (name) => [name, 'jpg'],
     ),
   ),

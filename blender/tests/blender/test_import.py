@@ -38,7 +38,7 @@ class ImportTest(BlenderTest):
         (self.folder / "face.bin").write_bytes(content.binary)
         content.json["buffers"][0]["uri"] = "face.bin"
         path.write_text(json.dumps(content.json))
-        self.assertEqual(len(self.import_face(path).furrow.areas), 9)
+        self.assertEqual(len(self.import_face(path).furrow.areas), 29)
 
     def test_a_material_without_a_normal_map_gets_one(self):
         group = self.import_face(self.write_face(document(), IMAGES, targets=["a"]))

@@ -1,1 +1,1 @@
-"""Builds a hand and a neck with joints, and draws their creases."""
+"""Builds a hand and a neck with joints."""

@@ -33,7 +33,6 @@ class Hand:
     rig: Rig
     part: Part
     cuff: Part
-    weights: np.ndarray  # (n, j) joint weights of each vertex of `part`
     inner: np.ndarray  # (n,) cosine between the normal and the bend direction: 1 on the palm, -1 on the back
     nails: np.ndarray  # (q, 4, 2) uv of the nails' quads
     nail_way: np.ndarray  # (n,) position along the nail: 0 at its root, 1 at its free edge
@@ -68,7 +67,7 @@ def build_hand(wheel: Wheel, mesh: Mesh, shapes: dict[str, float]) -> Hand:
         low, high = along[nails[-1]].min(), along[nails[-1]].max()
         way = np.where(weights[:, joint] > 0.5, np.clip((along - low) / (high - low), 0, 1), way)
     cuff = _cuff(rig, base, rings[ARM_RINGS - CUFF_COVERS : CUFF_RINGS])
-    return Hand(rig, part, cuff, weights, inner, part.uv[np.concatenate(nails)], way)
+    return Hand(rig, part, cuff, inner, part.uv[np.concatenate(nails)], way)
 
 
 def palm_frame(rig: Rig) -> np.ndarray:

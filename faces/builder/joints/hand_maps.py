@@ -28,8 +28,6 @@ class HandFields(Fields):
         self.knuckles = np.maximum.reduce([self.near_to(back(name, out), 0.0095) for name, out in joints]) * (
             1 - self.palm
         )
-        heads = [self.near_to(back(f"finger{f}-1.L", 0.008), 0.0085) for f in FINGERS[1:]]
-        self.heads = np.maximum.reduce(heads) * (1 - self.palm)
         tips = [
             rig.at(f"finger{f}-3.L") + rig.frames[rig.names.index(f"finger{f}-3.L")] @ [0, 0.020, 0.004]
             for f in FINGERS
@@ -92,18 +90,6 @@ def paint_hand_relief(fields: HandFields, depth: float) -> np.ndarray:
     net = -np.clip(-fields.noise(0.0009, 61) - 0.1, 0, 2) + 0.5 * fields.noise(0.0017, 62)
     height = gaussian_filter(net * (1 - 0.72 * fields.palm), 0.8)
     return relief(height * (1 - np.clip(gaussian_filter(fields.nails, 1.5) * 1.3, 0, 1)), depth, fields.near)
-
-
-def paint_pressed(fields: HandFields) -> tuple[np.ndarray, np.ndarray]:
-    """Paints two gray images (size, size), 0..1, for the white knuckles of a fist.
-
-    Returns a blood map and the map of an area of influence (0 = full influence). In the blood map, the skin is palest
-    at each knuckle, and the paleness fades out around it. The influence is 1 where the paleness is at least a third of
-    its maximum.
-    """
-    blood = (128 - 127 * fields.heads) / 255
-    area = 1 - np.clip(3 * fields.heads, 0, 1)
-    return blood, area
 
 
 def paint_hand_surface(fields: HandFields, occlusion: np.ndarray, look: dict) -> np.ndarray:

@@ -44,8 +44,8 @@ export function findSurfaces(
   // `autoWrinkles` explains why blendshapes that move nothing give no wrinkles.
   if (surfaces.length === 0 && best && best.skin.targets.length > 0) surfaces.push(withoutSkeleton(best))
   const unknown = others.filter(({ kind }) => kind === undefined)
-  if (surfaces.length === 0) throw nothingFound(document, path, who, mesh, unknown)
   const cloth = others.filter(({ kind }) => kind === 'cloth')
+  if (surfaces.length === 0) throw nothingFound(document, path, who, mesh, unknown, cloth)
   return { surfaces, notes: [...unknown.map(noteOf), ...clothNote(cloth)] }
 }
 
@@ -90,17 +90,20 @@ function nothingFound(
   path: string,
   who: string,
   mesh: string | undefined,
-  unknown: readonly JudgedSurface[],
+  [unknown]: readonly JudgedSurface[],
+  cloth: readonly JudgedSurface[],
 ): FurrowError {
   // Reports files without any usable mesh, and unknown names of meshes.
   findSkin(document, path, who, mesh)
-  const [first] = unknown
+  const judged = unknown
+    ? [`mesh "${unknown.surface.meshName}" may be skin, cloth or hard`]
+    : clothNote(cloth)
+  const aside = judged.length > 0 ? ` (${judged[0]})` : ''
   return new FurrowError({
     who,
-    problem: `no blendshapes, and no skin with hands or a neck that joints move, in ${path}`,
-    value: first && `mesh "${first.surface.meshName}" may be skin, cloth or hard`,
-    remedy: first
-      ? `if it is skin, pass --kind "${first.surface.meshName}=skin"`
+    problem: `no blendshapes, and no skin with hands or a neck that joints move, in ${path}${aside}`,
+    remedy: unknown
+      ? `if it is skin, pass --kind "${unknown.surface.meshName}=skin"`
       : 'export the face with its blendshapes, or the body with its skeleton',
   })
 }

@@ -52,7 +52,6 @@ export function judgeKind(
     if (found) return { kind: found.kind, reason: `the name of the ${subject} contains "${found.word}"` }
   }
   const { pbrMetallicRoughness: pbr, extensions = {} } = materials[material] ?? {}
-  if ('KHR_materials_sheen' in extensions) return { kind: 'cloth', reason: 'the material has sheen' }
   if ('KHR_materials_transmission' in extensions)
     return { kind: 'hard', reason: 'the material transmits light' }
   const { metallicFactor, metallicRoughnessTexture } = (pbr ?? {}) as Record<string, unknown>

@@ -1,3 +1,4 @@
+import type { MorphDriver, TimeDriver } from 'furrow'
 import { type AutoWrinkles, autoWrinkleSet, autoWrinkles, type Skin } from 'furrow/author'
 import { checkWrinkleSet } from 'furrow/internal'
 import { describe, expect, test } from 'vitest'
@@ -41,12 +42,12 @@ describe.each(FACES)('blood of %s', async (_, path) => {
   test('is driven by targets of the face, reddens over seconds, and pales immediately', () => {
     const names = skin.targets.map(({ name }) => name)
     for (const { name, drivers } of blood.areas) {
-      const [morph, time] = drivers
+      const [morph, time] = drivers as [MorphDriver, TimeDriver]
       for (const target of morph.targets) expect(names).toContain(target.name)
       expect([morph.area, time.area]).toEqual([name, name])
       expect(time.release).toBeGreaterThan(time.attack)
     }
-    expect(flushOf('flushCheekLeft').drivers[0].targets).toContainEqual({
+    expect((flushOf('flushCheekLeft').drivers[0] as MorphDriver).targets).toContainEqual({
       name: expect.stringMatching(/smile.*(left|l)$/i),
       weight: 1,
     })

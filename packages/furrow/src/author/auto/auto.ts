@@ -13,6 +13,7 @@ import { valleyBlood } from '../valley-blood.ts'
 import { faceSeed } from './anatomy/face-seed.ts'
 import { type ImplausibleMeasure, implausibleMeasures } from './anatomy/proportions.ts'
 import { type AutoBlood, drawBlood, neutralBlood } from './blood/draw-blood.ts'
+import { drawKnuckles } from './blood/draw-knuckles.ts'
 import { BULGES_FROM } from './bulges/bulge-driver.ts'
 import { type BulgeArea, drawBulges } from './bulges/draw-bulges.ts'
 import { planBulges } from './bulges/plan-bulges.ts'
@@ -149,8 +150,8 @@ export function autoWrinkles(
     (fraction) => lineProgress((1 + fraction) / 2),
   )
   const fitted = fitDrivers(prepared, creased, maxAreas, begin('drivers'))
-  const jointed = options.regions
-    ? []
+  const { regions: jointed, knuckles } = options.regions
+    ? { regions: [], knuckles: [] }
     : creaseJoints(prepared, lineSettings, MAX_AREAS - fitted.regions.length)
   begin('layers')
   const { face } = prepared
@@ -171,6 +172,7 @@ export function autoWrinkles(
   const blood = drawn
     ? drawBlood(prepared, { ...drawn, regions: drawnRegions, layerOf }, settings.strength)
     : { amplitude: 0, maps: [], areas: [] }
+  if (drawn) blood.areas.push(...drawKnuckles(drawn, knuckles, blood.maps))
   const raised =
     drawn && face && hasBulges
       ? drawBulges(face, rising.bulges, drawn, { ...settings, years: age })

@@ -1,5 +1,6 @@
 import { BLOOD_AT_REST, MAX_BLOOD_AMPLITUDE } from '../../../core/blood.ts'
 import type { GrayImage } from '../../../core/types.ts'
+import type { BoneDriver } from '../../../drivers/bone/definition.ts'
 import type { MorphDriver } from '../../../drivers/morph/definition.ts'
 import type { TimeDriver } from '../../../drivers/time/definition.ts'
 import { clamp, smoothstep } from '../../../math/scalar.ts'
@@ -22,8 +23,8 @@ export interface BloodArea {
   /** Index of the area's layer. */
   layer: number
   weights: GrayImage
-  /** The morph driver activates the area when blendshapes move. The time driver delays the activation. */
-  drivers: [MorphDriver, TimeDriver]
+  /** The first driver activates the area when blendshapes or joints move. The time driver delays the activation. */
+  drivers: [MorphDriver | BoneDriver, TimeDriver]
 }
 
 /** Blood maps of automatic wrinkles, and areas that show only blood. */

@@ -38,7 +38,7 @@ const REDDENING = { attack: 1.2, release: 4 }
  * Pressed skin turns pale at once, and blood refills it within about a second. The upper limits of normal refill times are 1.0 s in men,
  * 1.2 s in women and 4.5 s in the elderly (Schriger, Baraff 1988).
  */
-const PRESSING = { attack: 0.08, release: 0.9 }
+export const PRESSING = { attack: 0.08, release: 0.9 }
 
 /**
  * Returns the flushes of a face: red skin between the brows, beside the nose and on the cheeks, and pale lips when the mouth is pressed.

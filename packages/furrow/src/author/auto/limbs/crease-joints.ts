@@ -3,10 +3,12 @@ import { length } from '../../../math/vector.ts'
 import { makeGauge, measureCompression, vectorsAcross } from '../fit/gauge.ts'
 import { type CreasedRegion, creaseLines, type LineSettings } from '../lines/crease.ts'
 import { findBody } from '../skeleton/body.ts'
+import type { HandJoints, NeckJoints } from '../skeleton/humanoid.ts'
 import type { PreparedSkin } from '../surface/prepare-skin.ts'
-import { handFrame } from './hand-frame.ts'
+import { type HandFrame, handFrame } from './hand-frame.ts'
 import { handRegions } from './hand-regions.ts'
 import { activationAt, jointDriver } from './joint-driver.ts'
+import { type Knuckles, knucklesOf } from './knuckles.ts'
 import { type LimbSkin, limbSkin } from './limb-skin.ts'
 import { neckRegions } from './neck-regions.ts'
 import { widened } from './observed.ts'
@@ -19,6 +21,13 @@ export interface JointRegion extends CreasedRegion {
   drivers: BoneDriver[]
   /** Root mean square error of the activation over the range of the joint, 0..1. */
   error: number
+}
+
+/** Wrinkles of skin that joints fold. */
+export interface JointWrinkles {
+  regions: JointRegion[]
+  /** One per hand with creases. */
+  knuckles: Knuckles[]
 }
 
 /** Smoothing of the compression, as a fraction of the looseness. */
@@ -36,16 +45,17 @@ export function creaseJoints(
   settings: LineSettings,
   maxAreas: number,
   report: (fraction: number) => void = () => {},
-): JointRegion[] {
+): JointWrinkles {
   const limb = limbSkin(prepared)
-  if (!limb) return []
-  const usable = plansOf(limb, settings).map((plan) => withMeasurableLinks(limb, plan))
+  if (!limb) return { regions: [], knuckles: [] }
+  const limbs = limbsIn(limb)
+  const usable = plansOf(limb, limbs, settings).map((plan) => withMeasurableLinks(limb, plan))
   const plans = mostImportant(
     usable.filter(({ links }) => links.length > 0),
     maxAreas,
   ).map((plan) => withObserved(limb, plan))
   const strain = new StrainCache(limb, plans.length)
-  return plans.flatMap((plan, i) => {
+  const regions = plans.flatMap((plan, i) => {
     report(i / plans.length)
     const { turned, tensors } = strain.of(plan)
     const lines = plan.lay(tensors)
@@ -56,6 +66,23 @@ export function creaseJoints(
     const drivers = plan.links.map((link) => jointDriver(limb, plan.name, link))
     return [{ region, ...creased, drivers, error: errorOf(limb, turned, plan, creased) }]
   })
+  const knuckles = limbs.hands.flatMap(({ hand, frame }) => knucklesOf(limb, hand, frame) ?? [])
+  return { regions, knuckles: regions.length > 0 ? knuckles : [] }
+}
+
+/** Limbs that the skeleton of a skin moves. */
+interface Limbs {
+  hands: { hand: HandJoints; frame: HandFrame }[]
+  neck: NeckJoints | undefined
+}
+
+function limbsIn(limb: LimbSkin): Limbs {
+  const { hands, neck } = findBody(limb.skeleton)
+  const framed = hands.flatMap((hand) => {
+    const frame = handFrame(limb, hand)
+    return frame ? [{ hand, frame }] : []
+  })
+  return { hands: framed, neck }
 }
 
 /** Drops links to joints whose rotation cannot be measured, because their matrix has no volume. */
@@ -99,13 +126,11 @@ class StrainCache {
   }
 }
 
-function plansOf(limb: LimbSkin, settings: LineSettings): RegionPlan[] {
-  const { hands, neck } = findBody(limb.skeleton)
-  const ofHands = hands.flatMap((hand) => {
-    const frame = handFrame(limb, hand)
-    if (!frame) return []
-    return [...handRegions(limb, hand, frame, settings), ...wristRegions(limb, hand, frame, settings)]
-  })
+function plansOf(limb: LimbSkin, { hands, neck }: Limbs, settings: LineSettings): RegionPlan[] {
+  const ofHands = hands.flatMap(({ hand, frame }) => [
+    ...handRegions(limb, hand, frame, settings),
+    ...wristRegions(limb, hand, frame, settings),
+  ])
   return [...ofHands, ...(neck ? neckRegions(limb, neck, settings) : [])]
 }
 

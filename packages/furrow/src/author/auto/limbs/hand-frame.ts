@@ -1,7 +1,18 @@
 import { dot, length } from '../../../math/vector.ts'
 import type { Finger } from '../skeleton/bone-names.ts'
+import { subtreeOf } from '../skeleton/hierarchy.ts'
 import type { HandJoints } from '../skeleton/humanoid.ts'
-import { across, add, crossed, type LimbSkin, scale, subtract, unit, type Vector } from './limb-skin.ts'
+import {
+  across,
+  add,
+  crossed,
+  type LimbSkin,
+  pointWeights,
+  scale,
+  subtract,
+  unit,
+  type Vector,
+} from './limb-skin.ts'
 
 /**
  * Size of the hand for which the tables of creases are, in millimetres. `length` is measured from the wrist to the base of the middle finger.
@@ -80,28 +91,41 @@ export interface FingerBone {
   axis: Vector
 }
 
-/** Ratio of a finger's last bone to the bone before it. */
-const LAST_BONE = 0.8
+/** Weight of the last joint of a finger at the skin of its tip. */
+const ON_TIP = 0.6
 
 /** Returns the bones of a finger. */
 export function fingerBones(
-  { places }: LimbSkin,
+  limb: LimbSkin,
   frame: HandFrame,
   finger: Finger,
   joints: readonly number[],
 ): FingerBone[] {
-  const ends = joints.map((joint) => places[joint])
+  const ends = joints.map((joint) => limb.places[joint])
+  const last = ends[ends.length - 1]
+  const tip = tipOf(limb, joints[joints.length - 1]) ?? add(last, subtract(last, ends[ends.length - 2]))
   const bones = joints.map((joint, i) => {
-    const isLast = i === joints.length - 1
-    const [from, to] = isLast ? [ends[Math.max(0, i - 1)], ends[i]] : [ends[i], ends[i + 1]]
-    const step = subtract(to, from)
-    return { joint, place: ends[i], along: unit(step), length: length(step) * (isLast ? LAST_BONE : 1) }
+    const step = subtract(i + 1 < ends.length ? ends[i + 1] : tip, ends[i])
+    return { joint, place: ends[i], along: unit(step), length: length(step) }
   })
   const axis = finger === 'thumb' ? thumbAxis(frame, bones) : undefined
   return bones.map((bone) => {
     const inside = axis ? across(crossed(axis, bone.along), bone.along) : across(frame.z, bone.along)
     return { ...bone, inside, axis: crossed(bone.along, inside) }
   })
+}
+
+/** Returns the middle of the skin that follows only the last joint of a finger. */
+function tipOf(limb: LimbSkin, joint: number): Vector | undefined {
+  const { points, areas } = limb.prepared.surface
+  const weights = pointWeights(limb, subtreeOf(limb.skeleton.joints, joint))
+  let [sum, total]: [Vector, number] = [[0, 0, 0], 0]
+  for (let i = 0; i < areas.length; i++) {
+    if (weights[i] < ON_TIP) continue
+    sum = add(sum, scale([points[3 * i], points[3 * i + 1], points[3 * i + 2]], areas[i]))
+    total += areas[i]
+  }
+  return total > 0 ? scale(sum, 1 / total) : undefined
 }
 
 /** Returns the axis about which a thumb bends: across its bones if it is bent at rest, otherwise so that it moves across the palm. */
@@ -115,6 +139,8 @@ function thumbAxis(
   const bend = bones
     .slice(1)
     .map((bone, i) => crossed(bones[i].along, bone.along))
+    .filter((turn) => length(turn) > BENT)
+    .map(unit)
     .reduce(add, [0, 0, 0])
   const axis = length(bend) > BENT ? unit(bend) : crossed(last.along, inwards)
   return dot(crossed(axis, last.along), subtract(palm, last.place)) < 0 ? scale(axis, -1) : axis

@@ -137,6 +137,8 @@ function moved({ place, along }: FingerBone, distance: number): Vector {
   return [place[0] + distance * along[0], place[1] + distance * along[1], place[2] + distance * along[2]]
 }
 
+/** Skin belongs to the palm if the cosine between its normal and the direction out of the palm exceeds this. */
+const FACING = 0.3
 /** Minimum depth of a palm's crease that everybody has. Others are left out at random. */
 const MAIN = 0.5
 /** Probability that a short crease is left out. */
@@ -213,7 +215,7 @@ function palmChart(
       const offset = subtract([points[3 * point], points[3 * point + 1], points[3 * point + 2]], origin)
       return [dot(offset, x) / size.across, dot(offset, y) / size.along]
     },
-    (normal, point) => onHand[point] > 0.3 && onFinger[point] < 0.5 && dot(normal, z) > 0,
+    (normal, point) => onHand[point] > 0.3 && onFinger[point] < 0.5 && dot(normal, z) > FACING,
   )
 }
 

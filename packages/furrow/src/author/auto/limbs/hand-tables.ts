@@ -38,8 +38,8 @@ export const FINGER_CREASES = {
     { along: 1.6, bow: 0.5, span: 1.1, width: 1.7, depth: 0.6 },
   ],
   thumbBase: [
-    { along: 1.0, bow: -1.0, span: 1.1, width: 2.3, depth: 1 },
-    { along: 4.4, bow: -0.5, span: 0.8, width: 1.5, depth: 0.45 },
+    { along: 1.0, bow: -0.7, span: 0.8, width: 2.1, depth: 0.8 },
+    { along: 4.4, bow: -0.4, span: 0.6, width: 1.5, depth: 0.4 },
   ],
 } as const satisfies Record<string, readonly ArcCrease[]>
 
