@@ -7,15 +7,7 @@ import { join } from 'node:path/posix'
 import { ROOT } from '../scripts/lib/run.mjs'
 
 /** Folders in which all Markdown files become pages. */
-const FOLDERS = [
-  'docs',
-  'docs/api',
-  'bench',
-  'faces',
-  'faces/human',
-  'faces/human-2',
-  'godot',
-]
+const FOLDERS = ['docs', 'docs/api', 'bench', 'faces', 'faces/human', 'faces/human-2', 'godot']
 /** In the direct subfolders of these folders, all Markdown files become pages too. */
 const SUBFOLDERS = ['bench']
 /** Other Markdown files that become pages. */

@@ -117,7 +117,12 @@ export const FIGURES = {
       { ...NECK, page: 'joints.html?model=neck&turn=0.5' },
       { ...NECK, page: 'joints.html?model=neck&turn=1' },
       { ...NECK, page: 'joints.html?model=neck&nod=1' },
-    ].map((picture, i) => ({ ...picture, page: picture.page + end, scale: 0.6, beginsRow: row > 0 && i === 0 })),
+    ].map((picture, i) => ({
+      ...picture,
+      page: picture.page + end,
+      scale: 0.6,
+      beginsRow: row > 0 && i === 0,
+    })),
   ),
   knuckles: [
     { ...FIST, page: 'joints.html?fist=1&view=165&smooth' },
@@ -154,9 +159,16 @@ export const FIGURES = {
 /** File format per figure. Default: PNG. Figures with many faces are smaller as JPEG. */
 export const FORMATS = {
   ...Object.fromEntries(
-    ['guide', 'body', 'auto-human', 'auto-scan', 'blood', 'inspector', 'skin/furrows', ...Object.keys(CLOSE_UPS)].map(
-      (name) => [name, 'jpg'],
-    ),
+    [
+      'guide',
+      'body',
+      'auto-human',
+      'auto-scan',
+      'blood',
+      'inspector',
+      'skin/furrows',
+      ...Object.keys(CLOSE_UPS),
+    ].map((name) => [name, 'jpg']),
   ),
   [MOVING]: 'webp',
 }
