@@ -2,6 +2,7 @@ import { readFileSync } from 'node:fs'
 import { fileURLToPath } from 'node:url'
 import { type Document, NodeIO } from '@gltf-transform/core'
 import { ALL_EXTENSIONS } from '@gltf-transform/extensions'
+import { mergeDocuments } from '@gltf-transform/functions'
 import { Matrix4 } from 'three'
 import { expect, test } from 'vitest'
 import { jsonOf } from '../../glb.ts'
@@ -9,7 +10,9 @@ import { Workshop } from './workshop.ts'
 
 const at = new Workshop()
 const io = new NodeIO().registerExtensions(ALL_EXTENSIONS)
-const HAND = fileURLToPath(new URL('../../../faces/hand.glb', import.meta.url))
+const [HAND, FACE] = ['hand', 'human'].map((name) =>
+  fileURLToPath(new URL(`../../../faces/${name}.glb`, import.meta.url)),
+) as [string, string]
 
 /** Writes the shipped hand without its wrinkles and with a change. */
 async function write(name: string, change: (document: Document) => void): Promise<string> {
@@ -58,6 +61,25 @@ test('a hand of unknown material gets creases if the user says that it is skin',
   const { jointAreas, mesh } = await auto(path, '--kind', 'Thing=skin')
   expect(mesh).toBe('Thing')
   expect(jointAreas).toHaveLength(28)
+})
+
+test('a character with a face and a hand gets wrinkles from blendshapes and from joints', async () => {
+  const document = await io.read(FACE)
+  mergeDocuments(document, await io.read(HAND))
+  const root = document.getRoot()
+  const [first, ...others] = root.listBuffers()
+  for (const accessor of root.listAccessors()) accessor.setBuffer(first!)
+  for (const buffer of others) buffer.dispose()
+  const [scene, other] = root.listScenes()
+  for (const node of other!.listChildren()) scene!.addChild(node)
+  other!.dispose()
+  const path = at.write('both.glb', await io.writeBinary(document))
+  const both = await auto(path)
+  expect(both.isFace).toBe(true)
+  expect(both.areas.length).toBeGreaterThan(10)
+  expect(both.others.map(({ jointAreas }: { jointAreas: unknown[] }) => jointAreas.length)).toEqual([28])
+  const face = await auto(path, '--regions', 'nose')
+  expect(face.others).toEqual([])
 })
 
 test('a glove gets nothing, and the command says why', async () => {

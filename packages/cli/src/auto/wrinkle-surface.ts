@@ -77,6 +77,22 @@ export async function wrinkleSurface(
   return { found, wrinkles, cost, warnings: [...wrinkles.warnings, ...skinWarnings] }
 }
 
+/** Makes wrinkles for a further surface, without fine furrows. An error costs only this surface its wrinkles. */
+export async function wrinkleOther(
+  source: WrinkledSource,
+  found: FoundSkin,
+  { options, ...settings }: SurfaceSettings,
+  progress: AutoProgress,
+): Promise<WrinkledSurface | string> {
+  try {
+    const own = { ...settings, options: { ...options, furrows: false } }
+    return await wrinkleSurface(source, found, own, progress)
+  } catch (error) {
+    if (error instanceof FurrowError) return error.problem
+    throw error
+  }
+}
+
 /** Returns the random seed that is stored with the wrinkles of a material. Wrinkles that are not valid have none. */
 function seedIn(glb: Glb, { material }: FoundSkin, who: string): number | undefined {
   if (glb.json.materials![material].extensions?.[WRINKLE_MAPS] === undefined) return undefined

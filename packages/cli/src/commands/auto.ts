@@ -18,7 +18,7 @@ import { FACE_EXTENSIONS, readGlbFile } from 'furrow-files/node'
 import { makeReport } from '../auto/report/make-report.ts'
 import { Steps } from '../auto/steps.ts'
 import { summaryLines, summaryOf } from '../auto/summary.ts'
-import { type WrinkledSurface, wrinkleSurface } from '../auto/wrinkle-surface.ts'
+import { type WrinkledSurface, wrinkleOther, wrinkleSurface } from '../auto/wrinkle-surface.ts'
 import { createCommand } from '../command.ts'
 import { faceFiles } from '../face-outputs.ts'
 import { writeAll } from '../files.ts'
@@ -181,20 +181,23 @@ async function auto(face: string, options: Options): Promise<void> {
     }
     const made: WrinkledSurface[] = []
     const failed: { found: FoundSkin; reason: string }[] = []
-    for (const [i, found] of surfaces.entries()) {
-      const result = await wrinkleSurface(
-        source,
-        found,
-        surfaceSettings,
-        (done, count, step) => {
-          if (i === 0 && done < count) steps.at(step, done % 1)
-          else if (i > 0)
-            steps.at('other meshes', Math.min(1, (i - 1 + done / count) / (surfaces.length - 1)))
-        },
-        () => {
-          if (i === 0) steps.begin('encoding')
-        },
-      )
+    // Regions and fine furrows belong to faces.
+    const wanted = regions ? surfaces.slice(0, 1) : surfaces
+    for (const [i, found] of wanted.entries()) {
+      const result =
+        i === 0
+          ? await wrinkleSurface(
+              source,
+              found,
+              surfaceSettings,
+              (done, count, step) => {
+                if (done < count) steps.at(step, done % 1)
+              },
+              () => steps.begin('encoding'),
+            )
+          : await wrinkleOther(source, found, surfaceSettings, (done, count) =>
+              steps.at('other meshes', Math.min(1, (i - 1 + done / count) / (wanted.length - 1))),
+            )
       if (typeof result === 'string') failed.push({ found, reason: result })
       else made.push(result)
     }
