@@ -54,8 +54,10 @@ describe('a body without a face', () => {
       warnings: [expect.stringContaining('no face detected')],
       layers: ['auto1'],
       areas: expect.any(Array),
+      jointAreas: [],
       areasWithoutLines: [],
       missing: [],
+      others: [],
     })
     for (const area of told.areas) {
       expect(Object.keys(area)).toEqual(['name', 'layer', 'lines', 'compression', 'error', 'links'])

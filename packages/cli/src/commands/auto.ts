@@ -31,8 +31,11 @@ const WHO = 'furrow auto'
 
 const SIZES = ['512', '1024', '2048', '4096'] as const
 
-/** Number of progress steps before and after `autoWrinkles`: read, encode, other meshes, write. A report adds `REPORT_STEPS`. */
-const OWN_STEPS = 4
+/**
+ * Number of progress steps before and after `autoWrinkles` of the first mesh: read, encode (with the wrinkles of other meshes), write. A
+ * report adds `REPORT_STEPS`.
+ */
+const OWN_STEPS = 3
 const REPORT_STEPS = 2
 
 /** Default maximum number of layers with lines, with `--ktx2`. Two layers of 1024 x 1024 texels take 2 MB in the file. */
@@ -165,7 +168,7 @@ async function auto(face: string, options: Options): Promise<void> {
   if (strokes !== undefined) await checkOutputs([strokes], WHO, { ...rules, extensions: ['.json'] })
   const replacing = { named: [output, strokes], force: options.force ?? false }
   const total = OWN_STEPS + AUTO_STEPS.length + (report === undefined ? 0 : REPORT_STEPS)
-  const { made, bytes, warnings } = await withBar('auto', async (progress) => {
+  const { made, bytes, texts, warnings } = await withBar('auto', async (progress) => {
     const steps = new Steps(progress, total)
     steps.begin('reading')
     const glb = await readGlbFile(face, WHO, options)
@@ -196,7 +199,7 @@ async function auto(face: string, options: Options): Promise<void> {
               () => steps.begin('encoding'),
             )
           : await wrinkleOther(source, found, surfaceSettings, (done, count) =>
-              steps.at('other meshes', Math.min(1, (i - 1 + done / count) / (wanted.length - 1))),
+              steps.at('encoding', Math.min(0.99, (i - 1 + done / count) / (wanted.length - 1))),
             )
       if (typeof result === 'string') failed.push({ found, reason: result })
       else made.push(result)
@@ -208,7 +211,8 @@ async function auto(face: string, options: Options): Promise<void> {
     if (strokes !== undefined) files.push({ path: strokes, bytes: jsonFile(strokesOf(wrinkles)) })
     const own = made.flatMap(({ warnings }) => warnings)
     const skipped = failed.map(({ found, reason }) => `mesh "${found.meshName}" gets no wrinkles: ${reason}`)
-    const warnings = [...own, ...skipped, ...notes].map((text) => `${WHO}: ${text}`)
+    const texts = [...own, ...skipped, ...notes]
+    const warnings = texts.map((text) => `${WHO}: ${text}`)
     if (report !== undefined) {
       const listed = {
         age: AUTO_DEFAULTS.age,
@@ -225,11 +229,11 @@ async function auto(face: string, options: Options): Promise<void> {
       if (made.missing) warnings.push(`${WHO}: the report has no pictures of the face (${made.missing})`)
     }
     await writeAll(files, WHO, replacing)
-    return { made, bytes, warnings }
+    return { made, bytes, texts, warnings }
   })
   for (const warning of warnings) warn(warning)
   print(
-    options.json ? JSON.stringify(summaryOf(made, options, bytes, warnings)) : summaryLines(made, options),
+    options.json ? JSON.stringify(summaryOf(made, options, bytes, texts)) : summaryLines(made, options),
     output,
   )
 }
