@@ -144,6 +144,49 @@ describe('a skeleton that is not usual', () => {
   })
 })
 
+describe('two hands that share texels', () => {
+  const both = withMirrorImage(skin)
+  const made = autoWrinkles(both, SETTINGS)
+
+  it('get the creases of one hand, which the joints of both activate by half', () => {
+    expect(linesOf(made)).toEqual(linesOf(hand))
+    const activations = activationsOf(both, made)
+    const { axis } = made.jointAreas.find(({ name }) => name === 'finger3-2.L flexion')!.drivers[0]!
+    const area = (bends: Parameters<typeof activations>[0]) => activations(bends)['finger3-2.L flexion']!
+    expect(area([])).toBeCloseTo(0.4, 2)
+    expect(area([['finger3-2.L', axis!, 1.9]])).toBeCloseTo(0.7, 2)
+  })
+})
+
+/** Adds the mirror image of a hand, with the same texture coordinates and its own joints. */
+function withMirrorImage({ positions, uvs, indices, skeleton, targets }: Skin): Skin {
+  const count = positions.length / 3
+  const { joints, influences, ...own } = skeleton!
+  const flip = (bind: ArrayLike<number>) =>
+    Array.from(bind, (value, i) => (i % 4 === 0 ? -value : value)).map((value, i) => (i < 4 ? -value : value))
+  const mirrored = joints.map(({ name, parent, bind }) => ({
+    name: name.replace(/L$/, 'R'),
+    parent: parent < 0 ? parent : parent + joints.length,
+    bind: flip(bind),
+  }))
+  const reversed = Array.from(indices, (_, i) => indices[i - (i % 3) + 2 - (i % 3)]! + count)
+  return {
+    positions: [
+      ...Array.from(positions),
+      ...Array.from(positions, (value, i) => (i % 3 === 0 ? -value : value)),
+    ],
+    uvs: [...Array.from(uvs), ...Array.from(uvs)],
+    indices: [...Array.from(indices), ...reversed],
+    targets,
+    skeleton: {
+      joints: [...joints, ...mirrored],
+      influences,
+      indices: [...Array.from(own.indices), ...Array.from(own.indices, (joint) => joint + joints.length)],
+      weights: [...Array.from(own.weights), ...Array.from(own.weights)],
+    },
+  }
+}
+
 /** Returns a skin in another unit of length. */
 function scaled({ positions, skeleton, ...skin }: Skin, factor: number): Skin {
   const place = (bind: ArrayLike<number>) =>

@@ -66,8 +66,27 @@ export function creaseJoints(
     const drivers = plan.links.map((link) => jointDriver(limb, plan.name, link))
     return [{ region, ...creased, drivers, error: errorOf(limb, turned, plan, creased) }]
   })
+  if (prepared.drawsOneSide) shareSides(limb, plans, regions)
   const knuckles = limbs.hands.flatMap(({ hand, frame }) => knucklesOf(limb, hand, frame) ?? [])
   return { regions, knuckles: regions.length > 0 ? knuckles : [] }
+}
+
+/**
+ * Lets the joints of both sides activate a region whose texels both sides share. Each side activates it by half, because the wrinkles show on
+ * both.
+ */
+function shareSides(limb: LimbSkin, plans: readonly RegionPlan[], regions: readonly JointRegion[]): void {
+  for (const { name, pair, links } of plans) {
+    if (pair === undefined || regions.some(({ region }) => region.name === name)) continue
+    const other = plans.find((plan) => plan.pair === pair && plan.name !== name)
+    const shared = regions.find(({ region }) => region.name === other?.name)
+    if (!shared) continue
+    const more = links.map((link) => jointDriver(limb, shared.region.name, link))
+    shared.drivers = [...shared.drivers, ...more].map((driver) => ({
+      ...driver,
+      curve: driver.curve.map(([angle, activation]) => [angle, activation / 2]),
+    }))
+  }
 }
 
 /** Limbs that the skeleton of a skin moves. */
@@ -127,10 +146,10 @@ class StrainCache {
 }
 
 function plansOf(limb: LimbSkin, { hands, neck }: Limbs, settings: LineSettings): RegionPlan[] {
-  const ofHands = hands.flatMap(({ hand, frame }) => [
-    ...handRegions(limb, hand, frame, settings),
-    ...wristRegions(limb, hand, frame, settings),
-  ])
+  const ofHands = hands.flatMap(({ hand, frame }) => {
+    const own = [...handRegions(limb, hand, frame, settings), ...wristRegions(limb, hand, frame, settings)]
+    return own.map((plan, i) => ({ ...plan, pair: `${own.length} ${i}` }))
+  })
   return [...ofHands, ...(neck ? neckRegions(limb, neck, settings) : [])]
 }
 

@@ -19,6 +19,8 @@ export interface RegionPlan extends Omit<SkinRegion, 'cause'> {
   looseness: number
   /** Links to joints. The activations of several links add up. */
   links: readonly JointLink[]
+  /** Name that the same region has on the other side of the body; undefined if there is none. */
+  pair?: string
   /** Importance: regions with a lower one are dropped first if there are too many areas. */
   rank: number
   /**

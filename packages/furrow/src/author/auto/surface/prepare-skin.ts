@@ -38,6 +38,8 @@ export interface PreparedSkin {
   isMirrored: boolean
   /** Returns whether a triangle is drawn into the texture. If both halves share texels, only the left half is drawn. */
   isDrawn: (triangle: number) => boolean
+  /** Whether `isDrawn` leaves out the right side of parts whose sides share texels. */
+  drawsOneSide: boolean
   /** Finds the drawn triangle at a UV point. */
   locator: UvLocator
   /** Each warning is a complete sentence without a full stop. */
@@ -78,7 +80,8 @@ export function prepareSkin(raw: Skin): PreparedSkin {
     warnings.push(
       'no face detected from the blendshapes: shallow lines are placed by the compression of the skin alone',
     )
-  const isDrawn = (face && drawnTriangles(surface, overlap)) ?? (() => true)
+  const ofOneSide = face || skin.skeleton ? drawnTriangles(surface, overlap) : undefined
+  const isDrawn = ofOneSide ?? (() => true)
   const locator = new UvLocator(skin, surface, uvGridOf(skin, surface, isDrawn))
   return {
     skin,
@@ -94,6 +97,7 @@ export function prepareSkin(raw: Skin): PreparedSkin {
     toSurface,
     isMirrored,
     isDrawn,
+    drawsOneSide: ofOneSide !== undefined,
     locator,
     warnings,
   }
