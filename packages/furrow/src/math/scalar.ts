@@ -19,3 +19,8 @@ export function smoothstep(x: number): number {
   const t = clamp(x, 0, 1)
   return t * t * (3 - 2 * t)
 }
+
+/** Rounds `x` to a multiple of `1 / steps`. */
+export function rounded(x: number, steps: number): number {
+  return Math.round(steps * x) / steps
+}

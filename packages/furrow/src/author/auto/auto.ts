@@ -3,10 +3,7 @@ import type { GrayImage } from '../../core/types.ts'
 import type { AgeDriver } from '../../drivers/age/definition.ts'
 import type { BoneDriver } from '../../drivers/bone/definition.ts'
 import type { ExpressionDriver } from '../../drivers/expression/definition.ts'
-import { canMove } from '../../drivers/expression/face-expressions.ts'
-import { EXPRESSIONS } from '../../drivers/expression/presets.ts'
 import type { MorphDriver } from '../../drivers/morph/definition.ts'
-import { targetFinder } from '../../drivers/morph/target-names.ts'
 import type { Skin } from '../skin/surface.ts'
 import type { StrokesDocument } from '../strokes/document.ts'
 import { valleyBlood } from '../valley-blood.ts'
@@ -19,6 +16,7 @@ import { type BulgeArea, drawBulges } from './bulges/draw-bulges.ts'
 import { planBulges } from './bulges/plan-bulges.ts'
 import { regionsAt } from './bulges/regions.ts'
 import { ageDriver } from './fit/age-driver.ts'
+import { facePresets } from './fit/face-presets.ts'
 import type { MissingRegion } from './fit/fit-driver.ts'
 import { fitDrivers } from './fit/fit-drivers.ts'
 import { assignLayers } from './fit/layers.ts'
@@ -30,7 +28,6 @@ import { layLines } from './lines/lay-lines.ts'
 import { AUTO_DEFAULTS, type AutoOptions, checkAutoOptions } from './options.ts'
 import { type AutoLayer, drawMaps } from './raster/draw-maps.ts'
 import { measureStrain } from './strain/measure-strain.ts'
-import type { DetectedFace } from './surface/detect-face.ts'
 import type { Landmarks } from './surface/landmarks.ts'
 import { type PreparedSkin, prepareSkin } from './surface/prepare-skin.ts'
 
@@ -110,7 +107,7 @@ const MAX_AREAS = 64
  * Makes wrinkles from a character's blendshapes and joints. Lines appear where these compress the skin. On faces, the lines follow paths known
  * from anatomy. The same input and seed produce bit-identical maps.
  *
- * @throws FurrowError if the skin has no blendshapes, no area in UV space, or NaN or infinite values.
+ * @throws FurrowError if the skin has neither blendshapes nor a skeleton, no area in UV space, or NaN or infinite values.
  * @throws FurrowError if `regions` is set but no face is detected, or if `furrows` is set with only one layer.
  * @throws FurrowError if an option is unknown or out of range.
  */
@@ -185,6 +182,15 @@ export function autoWrinkles(
   progress(AUTO_STEPS.length, AUTO_STEPS.length, 'done')
 
   const { names, scale } = prepared
+  const areaOf = ({ region, compression, error, creases }: (typeof drawnRegions)[number], i: number) => ({
+    name: region.name,
+    layer: layerOf[i],
+    weights: weights[i],
+    compression,
+    error,
+    lines: creases.length,
+  })
+  const first = fitted.regions.length
   return {
     landmarks: face?.landmarks,
     targets: [...names],
@@ -192,25 +198,12 @@ export function autoWrinkles(
     furrows: furrows?.net,
     blood,
     bulges: raised.areas,
-    areas: fitted.regions.map(({ region, driver, compression, error, creases }, i) => ({
-      name: region.name,
-      layer: layerOf[i],
-      weights: weights[i],
-      driver,
-      ageing: ageDriver(region, options.age),
-      compression,
-      error,
-      lines: creases.length,
+    areas: fitted.regions.map((fit, i) => ({
+      ...areaOf(fit, i),
+      driver: fit.driver,
+      ageing: ageDriver(fit.region, options.age),
     })),
-    jointAreas: jointed.map(({ region, drivers, compression, error, creases }, i) => ({
-      name: region.name,
-      layer: layerOf[fitted.regions.length + i],
-      weights: weights[fitted.regions.length + i],
-      drivers,
-      compression,
-      error,
-      lines: creases.length,
-    })),
+    jointAreas: jointed.map((fold, i) => ({ ...areaOf(fold, first + i), drivers: fold.drivers })),
     scale,
     seed,
     missing: [
@@ -221,7 +214,7 @@ export function autoWrinkles(
       ...rising.missing,
       ...(planned?.missing ?? []),
     ],
-    expressions: face ? presetsOf(face) : [],
+    expressions: face ? facePresets(face) : [],
     warnings: [
       ...prepared.warnings,
       ...stylisedWarnings(unusual),
@@ -287,32 +280,5 @@ function missingFaceError(regions: readonly string[]): FurrowError {
     problem: 'regions require a face, and none was detected from the blendshapes',
     value: regions.join(', '),
     remedy: 'omit the regions, or name the mesh of the face',
-  })
-}
-
-/** Returns the expression presets that a face's blendshapes can show. The presets do not activate areas directly. */
-function presetsOf({ names, hints, find }: DetectedFace): ExpressionDriver[] {
-  const loaderFinds = targetFinder(names)
-  const ownNames = (shape: string) => {
-    const found = find(shape)
-    const loaded = loaderFinds(shape)
-    const isSame = loaded.length > 0 && loaded.every((target) => found.includes(target))
-    if (found.length === 0 || isSame) return found.slice(0, 1).map(() => shape)
-    // Loaders do not find this shape by its ARKit name, so the preset must name the rig's blendshapes.
-    const own = found.filter((target) => hints[target]?.match !== 'like')
-    return own.length > 0 ? own.map((target) => names[target]) : [shape]
-  }
-  const [neutral, ...others] = EXPRESSIONS
-  const possible = others.filter((expression) => canMove(expression, (shape) => find(shape).length > 0))
-  return [neutral, ...possible].map(({ name, targets }) => {
-    const weights = new Map<string, number>()
-    for (const [shape, weight] of Object.entries(targets))
-      for (const own of ownNames(shape)) weights.set(own, Math.max(weight, weights.get(own) ?? 0))
-    return {
-      type: 'expression',
-      name,
-      targets: [...weights].map(([own, weight]) => ({ name: own, weight })),
-      activations: [],
-    }
   })
 }

@@ -1,6 +1,7 @@
 import type { Expression } from './expression.ts'
 
-const both = (name: string, weight = 1) => ({ [`${name}Left`]: weight, [`${name}Right`]: weight })
+/** Returns the same weight for the left and the right half of a blendshape or area. */
+export const both = (name: string, weight = 1) => ({ [`${name}Left`]: weight, [`${name}Right`]: weight })
 
 /** Preset expressions. They use ARKit blendshapes, and the area names of the faces that ship with Furrow. `neutral` comes first. */
 export const EXPRESSIONS: readonly Expression[] = [

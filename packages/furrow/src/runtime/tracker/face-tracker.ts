@@ -73,7 +73,7 @@ export class FaceTrackerBase {
   }
 
   /**
-   * Sets the weights of the blendshapes that the scores name. Scores that are no blendshapes, such as `_neutral`, are ignored. Names that the
+   * Sets the weights of the blendshapes that the scores name. Other scores, such as `_neutral`, are ignored. Names that the
    * face lacks are skipped with one warning. NaN counts as 0. A list allocates nothing while its names and their order stay the same.
    *
    * @param scores scores of one frame. Names may be those of MediaPipe, ARKit, Live Link Face, iFacialMocap, VMC, VRM, OpenSeeFace, or

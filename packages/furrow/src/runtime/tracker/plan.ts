@@ -1,3 +1,4 @@
+import { mirroredName } from '../../drivers/morph/mirrored-name.ts'
 import type { BindTargets, TargetBinding } from '../target-binding.ts'
 import { mixOf, shapesOfScore } from './source-names.ts'
 import { SUBSTITUTES } from './substitutes.ts'
@@ -49,7 +50,7 @@ export function planTracker(
       ...(hasSubstitutes ? SUBSTITUTES.map(({ shape }) => shape) : []),
     ]),
   ]
-  const found = bind(isMirrored ? known.map(mirrored) : known)
+  const found = bind(isMirrored ? known.map(mirroredName) : known)
   const bound = new Set(found.map(({ name }) => known[name]))
 
   const shapes: string[] = []
@@ -91,9 +92,4 @@ function partsOf(name: string): string[] {
 /** Whether a substitute reads the shape. */
 function isSubstituted(name: string): boolean {
   return SUBSTITUTES.some(({ from }) => from.includes(name))
-}
-
-/** Swaps left and right in the canonical name of a blendshape. */
-function mirrored(name: string): string {
-  return name.replace(/(Left|Right)$/, (side) => (side === 'Left' ? 'Right' : 'Left'))
 }

@@ -1,7 +1,7 @@
-import { EXPRESSIONS } from '../../drivers/expression/presets.ts'
+import { both, EXPRESSIONS } from '../../drivers/expression/presets.ts'
 import { canonicalTargetName } from '../../drivers/morph/target-names.ts'
 
-/** Names of values that are no blendshapes: MediaPipe's score of a neutral face, VRM's neutral face, and the rotations of Live Link Face. */
+/** Names of values other than blendshapes: MediaPipe's score of a neutral face, VRM's neutral face, and the rotations of Live Link Face. */
 const IGNORED = /^(_neutral|neutral|(Head|LeftEye|RightEye)(Yaw|Pitch|Roll))$/i
 
 /** Short names: Oculus visemes without a prefix, and presets of VRM 0 that differ from VRM 1.0 by more than `ALIASES` covers. */
@@ -32,8 +32,6 @@ export interface ShapeMix {
   readonly up: Readonly<Record<string, number>>
   readonly down?: Readonly<Record<string, number>>
 }
-
-const both = (name: string, factor = 1) => ({ [`${name}Left`]: factor, [`${name}Right`]: factor })
 
 /** Returns the visemes of Oculus as ARKit blendshapes, by the position of jaw and lips for each sound. */
 const visemes = (): Record<string, Record<string, number>> => ({
@@ -101,7 +99,7 @@ function allMixes(): Record<string, ShapeMix> {
 /** Table of all mixes, created at the first lookup, so that pages without a tracker do not download it. */
 let mixes: ReadonlyMap<string, ShapeMix> | undefined
 
-/** Returns possible canonical names of a score's blendshape, preferred first. The list is empty if the score is no blendshape. */
+/** Returns possible canonical names of a score's blendshape, preferred first. The list is empty if the score does not belong to a blendshape. */
 export function shapesOfScore(name: string): readonly string[] {
   if (IGNORED.test(name)) return []
   // A face can have a blendshape with the short name.

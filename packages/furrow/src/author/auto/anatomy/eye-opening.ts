@@ -19,6 +19,8 @@ interface Row {
   up: number
   inner: number
   outer: number
+  /** Distances from the middle of the face of the samples in the opening. */
+  open: readonly number[]
 }
 
 /**
@@ -34,7 +36,6 @@ export function eyeOpening(
   const [outer, outerUp] = chartPointOf(landmarks.outerCorner)
   const isOpen = (across: number, up: number) => radiusAt([side * across, up]) === undefined
   const rows: Row[] = []
-  let lowest = Infinity
   for (let up = eye + SEARCHED.above; up >= eye - SEARCHED.below; up -= SEARCHED.step) {
     const open: number[] = []
     for (let across = inner - BESIDE; across <= outer + BESIDE; across += SEARCHED.step) {
@@ -46,11 +47,16 @@ export function eyeOpening(
       up,
       inner: edge(first, first - SEARCHED.step, (across) => isOpen(across, up)),
       outer: edge(last, last + SEARCHED.step, (across) => isOpen(across, up)),
+      open,
     })
-    lowest = Math.min(...open.map((across) => edge(up, up - SEARCHED.step, (below) => isOpen(across, below))))
   }
-  const corners = rows.length > 0 && { inner: cornerOf(rows, 'inner', 1), outer: cornerOf(rows, 'outer', -1) }
-  if (corners && corners.outer[0] - corners.inner[0] >= MIN_WIDTH) return { ...corners, lowest }
+  const lowestRow = rows.at(-1)
+  const corners = lowestRow && { inner: cornerOf(rows, 'inner', 1), outer: cornerOf(rows, 'outer', -1) }
+  if (corners && corners.outer[0] - corners.inner[0] >= MIN_WIDTH) {
+    const { up, open } = lowestRow
+    const ends = open.map((across) => edge(up, up - SEARCHED.step, (below) => isOpen(across, below)))
+    return { ...corners, lowest: Math.min(...ends) }
+  }
   return {
     inner: [inner + USUAL.inner[0], innerUp + USUAL.inner[1]],
     outer: [outer + USUAL.outer[0], outerUp + USUAL.outer[1]],

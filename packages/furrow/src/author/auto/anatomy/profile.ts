@@ -8,8 +8,8 @@ const STEP = 0.5
 const PEAK = 0.9
 
 /**
- * Finds the strongest bend of the head's surface along a straight line on the chart: the middle of the points farthest from the chord between the ends.
- * The result changes continuously with the surface, unlike the farthest point on a mesh, which is always at an edge.
+ * Finds the strongest bend of the head's surface along a straight line on the chart: the middle of the points that are farthest from the chord
+ * between the ends. The result changes continuously with the surface, unlike the farthest point on a mesh, which is always at an edge.
  *
  * @param sign 1 for a ridge, which rises above the chord; -1 for a groove.
  * @returns the midpoint if the surface does not bend that way, or has a hole.

@@ -1,4 +1,5 @@
 import type { MorphDriver } from '../../../drivers/morph/definition.ts'
+import { mirroredName } from '../../../drivers/morph/mirrored-name.ts'
 import { shapeNameOf } from '../../shapes/names/hint.ts'
 import type { SkinRegion } from '../anatomy/region.ts'
 import type { PreparedSkin } from '../surface/prepare-skin.ts'
@@ -44,7 +45,7 @@ function targetsOfBothSides(
   for (const { name, weight = 1 } of targets) {
     const target = names.indexOf(name)
     const shape = shapeNameOf(known[target], hints[target])
-    const opposite = shape.replace(/(Left|Right)$/, (side) => (side === 'Left' ? 'Right' : 'Left'))
+    const opposite = mirroredName(shape)
     const [other] = opposite === shape ? [] : find(opposite)
     if (other === undefined) add(name, weight)
     else for (const one of [name, names[other]]) add(one, weight / 2)

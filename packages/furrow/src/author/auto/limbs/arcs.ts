@@ -1,10 +1,11 @@
 import { noise } from '../../../math/noise.ts'
 import type { Rng } from '../../../math/rng.ts'
 import { dot } from '../../../math/vector.ts'
+import { across, subtract, vectorAt } from '../../../math/vector3.ts'
 import type { LineStyle } from '../anatomy/region.ts'
 import type { ArcCrease } from './hand-tables.ts'
 import { aroundLimb, LimbChart, type LimbFrame, type LimbGuide } from './limb-chart.ts'
-import { type LimbSkin, scale, subtract, type Vector } from './limb-skin.ts'
+import type { LimbSkin } from './limb-skin.ts'
 
 /** Maximum distance from the joint along the limb at which creases are drawn, in millimetres for an adult. */
 const EXTENT = 40
@@ -32,27 +33,17 @@ export function cylinderChart(
   size: number,
 ) {
   const { surface } = limb.prepared
-  const at = (point: number): Vector => [
-    surface.points[3 * point],
-    surface.points[3 * point + 1],
-    surface.points[3 * point + 2],
-  ]
+  const at = (point: number) => vectorAt(surface.points, point)
   return new LimbChart(
     surface,
     (point) => {
       const { angle, along } = aroundLimb(frame, at(point))
       return Math.abs(along) < EXTENT * size ? [angle, along] : undefined
     },
-    (normal, point) => isInside(point) && dot(normal, outwards(frame, at(point))) > OUTWARDS,
+    (normal, point) =>
+      isInside(point) && dot(normal, across(subtract(at(point), frame.origin), frame.axis)) > OUTWARDS,
     2 * Math.PI,
   )
-}
-
-/** Returns the unit direction from a limb's axis to a point. */
-function outwards({ origin, axis }: LimbFrame, point: Vector): Vector {
-  const offset = subtract(point, origin)
-  const out = subtract(offset, scale(axis, dot(offset, axis)))
-  return scale(out, 1 / (Math.sqrt(dot(out, out)) || 1))
 }
 
 /** Returns guides for creases across a limb, with random variation. */

@@ -1,18 +1,10 @@
 import { dot, length } from '../../../math/vector.ts'
+import { across, add, crossed, scale, subtract, unit, type Vector, vectorAt } from '../../../math/vector3.ts'
 import type { Finger } from '../skeleton/bone-names.ts'
 import { subtreeOf } from '../skeleton/hierarchy.ts'
 import type { HandJoints } from '../skeleton/humanoid.ts'
-import {
-  across,
-  add,
-  crossed,
-  type LimbSkin,
-  pointWeights,
-  scale,
-  subtract,
-  unit,
-  type Vector,
-} from './limb-skin.ts'
+import { type LimbSkin, pointWeights } from './limb-skin.ts'
+import { DEGREE, type JointTurn } from './turn.ts'
 
 /**
  * Size of the hand for which the tables of creases are, in millimetres. `length` is measured from the wrist to the base of the middle finger.
@@ -122,7 +114,7 @@ function tipOf(limb: LimbSkin, joint: number): Vector | undefined {
   let [sum, total]: [Vector, number] = [[0, 0, 0], 0]
   for (let i = 0; i < areas.length; i++) {
     if (weights[i] < ON_TIP) continue
-    sum = add(sum, scale([points[3 * i], points[3 * i + 1], points[3 * i + 2]], areas[i]))
+    sum = add(sum, scale(vectorAt(points, i), areas[i]))
     total += areas[i]
   }
   return total > 0 ? scale(sum, 1 / total) : undefined
@@ -144,4 +136,13 @@ function thumbAxis(
     .reduce(add, [0, 0, 0])
   const axis = length(bend) > BENT ? unit(bend) : crossed(last.along, inwards)
   return dot(crossed(axis, last.along), subtract(palm, last.place)) < 0 ? scale(axis, -1) : axis
+}
+
+/** Returns the turn that bends a finger joint. */
+export function flexion(
+  { skeleton: { joints } }: LimbSkin,
+  { joint, axis }: FingerBone,
+  degrees: number,
+): JointTurn {
+  return { joints: [joint], from: joints[joint].parent, axis, full: degrees * DEGREE }
 }

@@ -2,12 +2,13 @@ import { noise } from '../../../math/noise.ts'
 import { Rng } from '../../../math/rng.ts'
 import { splineAt } from '../../../math/spline.ts'
 import { dot, length2 } from '../../../math/vector.ts'
+import { add, scale, subtract, type Vector, vectorAt } from '../../../math/vector3.ts'
 import type { LineStyle } from '../anatomy/region.ts'
 import type { Finger } from '../skeleton/bone-names.ts'
 import { subtreeOf } from '../skeleton/hierarchy.ts'
 import type { HandJoints } from '../skeleton/humanoid.ts'
 import { arcGuides, cylinderChart } from './arcs.ts'
-import { type FingerBone, fingerBones, type HandFrame } from './hand-frame.ts'
+import { type FingerBone, fingerBones, flexion, type HandFrame } from './hand-frame.ts'
 import {
   type ArcCrease,
   FINGER_CREASES,
@@ -15,10 +16,10 @@ import {
   PALM_CREASES,
   type PalmCrease,
 } from './hand-tables.ts'
-import { LimbChart, type LimbGuide, layLimbGuide } from './limb-chart.ts'
-import { type LimbSkin, pointWeights, scale, subtract, type Vector } from './limb-skin.ts'
+import { guideLayer, LimbChart, type LimbGuide } from './limb-chart.ts'
+import { type LimbSkin, pointWeights } from './limb-skin.ts'
 import type { JointLink, RegionPlan } from './region-plan.ts'
-import { DEGREE, type JointTurn } from './turn.ts'
+import { DEGREE } from './turn.ts'
 
 /** Activation of flexion creases on a straight finger: they are folds of the skin that never vanish. */
 const REST = 0.4
@@ -55,15 +56,6 @@ export function handRegions(
   return [...fingers, ...palmRegions(limb, hand, frame, bones, rng, settings)]
 }
 
-/** Returns the turn that bends a finger joint. */
-function flexion(
-  { skeleton: { joints } }: LimbSkin,
-  { joint, axis }: FingerBone,
-  degrees: number,
-): JointTurn {
-  return { joints: [joint], from: joints[joint].parent, axis, full: degrees * DEGREE }
-}
-
 function fingerRegions(
   limb: LimbSkin,
   { size: { along: size } }: HandFrame,
@@ -85,14 +77,12 @@ function fingerRegions(
     const isOn = (point: number) => on[point] > ON_FINGER
     // Creases at the base lie beyond the joint, where the fingers separate.
     const isBase = !isThumb && fromTip === 2
-    const origin = isBase ? moved(bone, 0.52 * bone.length) : bone.place
+    const origin = isBase ? add(bone.place, scale(bone.along, 0.52 * bone.length)) : bone.place
     const frameOf = (front: Vector) => ({ origin, axis: bone.along, front })
     const inside = cylinderChart(limb, frameOf(bone.inside), isOn, size)
     const guides = arcGuides(inside, creases, size, rng)
     const shared = { spacing: 5 * size, reach: 3.2 * size, feather: 3.5 * size, looseness: 4 * size }
     const name = joints[bone.joint].name
-    const lay = (guides: readonly LimbGuide[]) => (tensors: Float64Array) =>
-      guides.flatMap((guide) => layLimbGuide(surface, guide, tensors))
     const flexed: RegionPlan = {
       ...shared,
       name: `${name} flexion`,
@@ -102,7 +92,7 @@ function fingerRegions(
       maxDepth: size * (isThumb ? 0.95 : 0.9) * (0.9 + 0.25 * ageFraction),
       links: [{ turn, rest: REST, full: 1 }],
       rank: 3 - 0.3 * fromTip,
-      lay: lay(guides),
+      lay: guideLayer(surface, guides),
     }
     const lines =
       fromTip === 1 && !isThumb ? KNUCKLE_LINES.middle : fromTip === 0 ? KNUCKLE_LINES.last : undefined
@@ -118,7 +108,7 @@ function fingerRegions(
       maxDepth: size * 0.5 * (0.8 + 0.6 * ageFraction),
       links: [{ turn: { ...turn, full: SMOOTH * DEGREE }, rest: 1, full: 0 }],
       rank: 1.5 - 0.3 * fromTip,
-      lay: lay(arcGuides(back, lines, size, rng, BACK_STYLE)),
+      lay: guideLayer(surface, arcGuides(back, lines, size, rng, BACK_STYLE)),
     }
     return [flexed, straight]
   })
@@ -131,10 +121,6 @@ function creasesOf(isThumb: boolean, fromTip: number): [readonly ArcCrease[] | u
   }
   if (fromTip === 0) return [FINGER_CREASES.last, RANGES.last]
   return fromTip === 1 ? [FINGER_CREASES.middle, RANGES.middle] : [FINGER_CREASES.base, RANGES.base]
-}
-
-function moved({ place, along }: FingerBone, distance: number): Vector {
-  return [place[0] + distance * along[0], place[1] + distance * along[1], place[2] + distance * along[2]]
 }
 
 /** Skin belongs to the palm if the cosine between its normal and the direction out of the palm exceeds this. */
@@ -187,7 +173,7 @@ function palmRegions(
         looseness: 8 * size,
         links,
         rank: 4,
-        lay: (tensors) => guides.flatMap((guide) => layLimbGuide(surface, guide, tensors)),
+        lay: guideLayer(surface, guides),
       },
     ]
   })
@@ -211,8 +197,7 @@ function palmChart(
   return new LimbChart(
     surface,
     (point) => {
-      const { points } = surface
-      const offset = subtract([points[3 * point], points[3 * point + 1], points[3 * point + 2]], origin)
+      const offset = subtract(vectorAt(surface.points, point), origin)
       return [dot(offset, x) / size.across, dot(offset, y) / size.along]
     },
     (normal, point) => onHand[point] > 0.3 && onFinger[point] < 0.5 && dot(normal, z) > FACING,

@@ -62,14 +62,14 @@ export const KNUCKLE_LINES = {
   ],
 } as const satisfies Record<string, readonly ArcCrease[]>
 
-/** Creases of the wrist and the crook of the elbow, and lines over the elbow's tip. Distances are for an adult arm. */
-export const ARM_CREASES = {
-  wristInside: [
+/** Creases inside the wrist and on its back. Distances are for an adult arm. */
+export const WRIST_CREASES = {
+  inside: [
     { along: 1, bow: 1.2, span: 1.15, width: 2.6, depth: 1 },
     { along: -6.5, bow: 0.8, span: 1.0, width: 2.2, depth: 0.65 },
     { along: -12, bow: -0.6, span: 0.7, width: 1.8, depth: 0.35 },
   ],
-  wristBack: [
+  back: [
     { along: -7, bow: -1.2, span: 0.7, width: 2.0, depth: 0.55 },
     { along: -2.5, bow: -0.6, span: 0.95, width: 2.2, depth: 0.9 },
     { along: 2, bow: 0.6, span: 0.95, width: 2.2, depth: 1 },

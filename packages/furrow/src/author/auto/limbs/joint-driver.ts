@@ -1,5 +1,6 @@
 import type { BoneDriver } from '../../../drivers/bone/definition.ts'
 import type { Curve } from '../../../drivers/curve.ts'
+import { rounded } from '../../../math/scalar.ts'
 import { dot } from '../../../math/vector.ts'
 import type { LimbSkin } from './limb-skin.ts'
 import type { JointLink } from './region-plan.ts'
@@ -44,8 +45,4 @@ export function jointDriver(limb: LimbSkin, area: string, link: JointLink): Bone
     ],
     curve,
   }
-}
-
-function rounded(value: number, steps: number): number {
-  return Math.round(value * steps) / steps
 }

@@ -1,10 +1,10 @@
 import type { BoneDriver } from '../../../drivers/bone/definition.ts'
+import { add, scale, type Vector } from '../../../math/vector3.ts'
 import type { Finger } from '../skeleton/bone-names.ts'
 import type { HandJoints } from '../skeleton/humanoid.ts'
-import { fingerBones, type HandFrame } from './hand-frame.ts'
+import { fingerBones, flexion, type HandFrame } from './hand-frame.ts'
 import { jointDriver } from './joint-driver.ts'
-import { add, type LimbSkin, scale, type Vector } from './limb-skin.ts'
-import { DEGREE } from './turn.ts'
+import type { LimbSkin } from './limb-skin.ts'
 
 /** Knuckles of a hand, which a fist presses so that they turn pale. */
 export interface Knuckles {
@@ -38,14 +38,8 @@ export function knucklesOf(
   })
   const own = bones[Math.min(1, bones.length - 1)]
   if (!own) return undefined
-  const { joints } = limb.skeleton
-  const name = `${joints[wrist].name} knuckles`
-  const turn = {
-    joints: [own[1].joint],
-    from: joints[own[1].joint].parent,
-    axis: own[1].axis,
-    full: FIST * DEGREE,
-  }
+  const name = `${limb.skeleton.joints[wrist].name} knuckles`
+  const turn = flexion(limb, own[1], FIST)
   const driver = jointDriver(limb, name, { turn, rest: 0, full: 1 })
   return {
     name,

@@ -1,13 +1,13 @@
 import { barycentrics2, interpolate } from '../../../math/barycentrics.ts'
 import { atan2 } from '../../../math/elementary.ts'
 import { cross, dot, length2, length3, normalize } from '../../../math/vector.ts'
+import { crossed, subtract, type Vector, vectorAt } from '../../../math/vector3.ts'
 import { cornersOf, type SkinSurface, type SurfacePoint } from '../../skin/surface.ts'
 import type { LineStyle } from '../anatomy/region.ts'
 import { keptRuns, type LaidLine } from '../lines/laid-line.ts'
 import { STEP } from '../lines/trace.ts'
 import { compressionAlong, tensorAt } from '../surface/tensors.ts'
 import { softlyClamped } from './clamp.ts'
-import { crossed, subtract, type Vector } from './limb-skin.ts'
 
 /** Coordinates on a part of a limb. */
 export type LimbPoint = readonly [x: number, y: number]
@@ -49,10 +49,9 @@ export class LimbChart {
     period = Infinity,
   ) {
     this.#surface = surface
-    const places = Array.from(surface.areas, (_, point) => {
-      const normal = surface.normals.subarray(3 * point, 3 * point + 3)
-      return isFacing([normal[0], normal[1], normal[2]], point) ? place(point) : undefined
-    })
+    const places = Array.from(surface.areas, (_, point) =>
+      isFacing(vectorAt(surface.normals, point), point) ? place(point) : undefined,
+    )
     for (let triangle = 0; triangle < surface.skinTriangles.length; triangle++) {
       const corners = cornersOf(surface, triangle).map((point) => places[point])
       if (!corners.every((corner) => corner !== undefined)) continue
@@ -101,8 +100,16 @@ export interface LimbGuide {
   style: LineStyle
 }
 
+/** Returns a function that lays lines along curves, for `RegionPlan.lay`. */
+export function guideLayer(
+  surface: SkinSurface,
+  guides: readonly LimbGuide[],
+): (tensors: Float64Array) => LaidLine[] {
+  return (tensors) => guides.flatMap((guide) => layGuide(surface, guide, tensors))
+}
+
 /** Lays a line along a curve. Parts outside the chart are cut off. */
-export function layLimbGuide(
+function layGuide(
   surface: SkinSurface,
   { chart, path, style }: LimbGuide,
   tensors: Float64Array,

@@ -1,9 +1,8 @@
-import { cross, dot, length, normalize } from '../../../math/vector.ts'
+import { length } from '../../../math/vector.ts'
+import { add, scale, subtract, unit, type Vector } from '../../../math/vector3.ts'
 import type { SkinSkeleton } from '../../skin/skeleton.ts'
 import { placeOf } from '../skeleton/hierarchy.ts'
 import type { PreparedSkin } from '../surface/prepare-skin.ts'
-
-export type Vector = readonly [x: number, y: number, z: number]
 
 /** Skin that joints move. Positions are in the coordinates of the surface, in millimetres. */
 export interface LimbSkin {
@@ -63,33 +62,4 @@ export function pointWeights(
     out[point] = total > 0 ? counted / total : 0
   }
   return out
-}
-
-export function add([a, b, c]: Vector, [x, y, z]: Vector): Vector {
-  return [a + x, b + y, c + z]
-}
-
-export function subtract([a, b, c]: Vector, [x, y, z]: Vector): Vector {
-  return [a - x, b - y, c - z]
-}
-
-export function scale([x, y, z]: Vector, factor: number): Vector {
-  return [factor * x, factor * y, factor * z]
-}
-
-export function unit(v: ArrayLike<number>): Vector {
-  const out = Float64Array.from(v)
-  normalize(out)
-  return [out[0], out[1], out[2]]
-}
-
-export function crossed(a: Vector, b: Vector): Vector {
-  const out = new Float64Array(3)
-  cross(out, a, b)
-  return [out[0], out[1], out[2]]
-}
-
-/** Returns the unit vector of the part of `v` that is perpendicular to the unit vector `axis`. */
-export function across(v: Vector, axis: Vector): Vector {
-  return unit(subtract(v, scale(axis, dot(v, axis))))
 }

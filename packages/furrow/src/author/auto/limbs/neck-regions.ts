@@ -2,21 +2,13 @@ import { cos, sin } from '../../../math/elementary.ts'
 import { Rng } from '../../../math/rng.ts'
 import { lerp, smoothstep } from '../../../math/scalar.ts'
 import { dot, length } from '../../../math/vector.ts'
-import type { LineStyle } from '../anatomy/region.ts'
+import { across, crossed, subtract, unit, type Vector, vectorAt } from '../../../math/vector3.ts'
+import { type LineStyle, SIDES } from '../anatomy/region.ts'
 import { subtreeOf } from '../skeleton/hierarchy.ts'
 import type { NeckJoints } from '../skeleton/humanoid.ts'
 import { aroundLimb } from './limb-chart.ts'
 import { layLimbFilm } from './limb-film.ts'
-import {
-  across,
-  crossed,
-  type LimbSkin,
-  pointWeights,
-  scale,
-  subtract,
-  unit,
-  type Vector,
-} from './limb-skin.ts'
+import { type LimbSkin, pointWeights } from './limb-skin.ts'
 import type { RegionPlan } from './region-plan.ts'
 import { DEGREE } from './turn.ts'
 
@@ -42,12 +34,6 @@ interface NeckFold {
   softness: number
   rest: number
 }
-
-/** Sides of the person: 1 for the left, -1 for the right. */
-const SIDES = [
-  [1, 'left'],
-  [-1, 'right'],
-] as const
 
 const FOLDS: readonly NeckFold[] = [
   {
@@ -78,7 +64,7 @@ const FOLDS: readonly NeckFold[] = [
   },
   ...SIDES.map(
     ([side, name]): NeckFold => ({
-      name: `turn to the ${name}`,
+      name: `turn to the ${name.toLowerCase()}`,
       axis: [0, side, 0],
       degrees: RANGES.turn,
       middle: 54 * side,
@@ -93,7 +79,7 @@ const FOLDS: readonly NeckFold[] = [
   ),
   ...SIDES.map(
     ([side, name]): NeckFold => ({
-      name: `tilt to the ${name}`,
+      name: `tilt to the ${name.toLowerCase()}`,
       axis: [0, 0, -side],
       degrees: RANGES.tilt,
       middle: 88 * side,
@@ -140,14 +126,12 @@ export function neckRegions(
   const front = crossed(left, up)
   const moved = pointWeights(limb, subtreeOf(joints, chain[0]))
   const above = pointWeights(limb, subtreeOf(joints, head))
-  const at = (i: number): Vector => [points[3 * i], points[3 * i + 1], points[3 * i + 2]]
+  const at = (i: number) => vectorAt(points, i)
   const frame = { origin: first, axis: up, front }
   const skin = Array.from(surface.areas, (_, i) => {
     if (moved[i] < MOVED[0] || above[i] > ON_HEAD[1]) return undefined
     const { angle, along, radius } = aroundLimb(frame, at(i))
-    const offset = subtract(at(i), first)
-    const out = unit(subtract(offset, scale(up, dot(offset, up))))
-    const facing = dot([normals[3 * i], normals[3 * i + 1], normals[3 * i + 2]], out)
+    const facing = dot(vectorAt(normals, i), across(subtract(at(i), first), up))
     const weight =
       smoothstep((facing - FACING[0]) / (FACING[1] - FACING[0])) *
       smoothstep((moved[i] - MOVED[0]) / (MOVED[1] - MOVED[0])) *

@@ -1,9 +1,10 @@
 import { cos, sin } from '../../../math/elementary.ts'
 import { dot } from '../../../math/vector.ts'
+import type { Vector } from '../../../math/vector3.ts'
 import { subtreeOf } from '../skeleton/hierarchy.ts'
 import { smooth } from '../strain/smooth.ts'
 import { compressionTensors, TENSOR_SIZE } from '../surface/tensors.ts'
-import { type LimbSkin, pointWeights, type Vector } from './limb-skin.ts'
+import { type LimbSkin, pointWeights } from './limb-skin.ts'
 
 export const DEGREE = Math.PI / 180
 

@@ -1,21 +1,13 @@
 import { Rng } from '../../../math/rng.ts'
 import { length } from '../../../math/vector.ts'
+import { across, crossed, scale, subtract, unit, type Vector } from '../../../math/vector3.ts'
 import { subtreeOf } from '../skeleton/hierarchy.ts'
 import type { HandJoints } from '../skeleton/humanoid.ts'
 import { arcGuides, cylinderChart } from './arcs.ts'
 import type { HandFrame } from './hand-frame.ts'
-import { ARM_CREASES } from './hand-tables.ts'
-import { layLimbGuide } from './limb-chart.ts'
-import {
-  across,
-  crossed,
-  type LimbSkin,
-  pointWeights,
-  scale,
-  subtract,
-  unit,
-  type Vector,
-} from './limb-skin.ts'
+import { WRIST_CREASES } from './hand-tables.ts'
+import { guideLayer } from './limb-chart.ts'
+import { type LimbSkin, pointWeights } from './limb-skin.ts'
 import type { RegionPlan } from './region-plan.ts'
 import { DEGREE } from './turn.ts'
 
@@ -49,7 +41,7 @@ export function wristRegions(
       (point) => on[point] > 0.5,
       size,
     )
-    const arcs = isInside ? ARM_CREASES.wristInside : ARM_CREASES.wristBack
+    const arcs = isInside ? WRIST_CREASES.inside : WRIST_CREASES.back
     const guides = arcGuides(chart, arcs, size, rng, { taper: [0.25, 0.25] })
     const axis = crossed(along, front)
     const full = (isInside ? RANGES.flexion : RANGES.extension) * DEGREE
@@ -66,7 +58,7 @@ export function wristRegions(
       looseness: 12 * size,
       links: [{ turn, rest: isInside ? REST.inside : REST.back, full: 1 }],
       rank: 3.5,
-      lay: (tensors) => guides.flatMap((guide) => layLimbGuide(surface, guide, tensors)),
+      lay: guideLayer(surface, guides),
     }
   }
   return [region(true), region(false)]

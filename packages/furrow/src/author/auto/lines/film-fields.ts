@@ -4,6 +4,7 @@ import { dot, length2, unit2 } from '../../../math/vector.ts'
 import type { SkinFilm } from '../anatomy/region.ts'
 import type { Film } from '../buckling/buckle.ts'
 import { CRITICAL_COMPRESSION, filmWavelength } from '../buckling/film.ts'
+import type { FilmNoise } from '../buckling/film-noise.ts'
 import { type ChartSamples, chartAxes, sampleTensors, sampleValues } from '../buckling/sample-chart.ts'
 import { rollUp, unrollPoint } from '../surface/head-chart.ts'
 
@@ -45,23 +46,38 @@ export function filmFields(samples: ChartSamples, film: SkinFilm, tensors: Float
   const pull = samplePull(samples, film)
   const compression = sampleTensors(samples, tensors)
   turnToPull(compression, pull, weight)
-  limitCompression(compression)
+  limitPrincipal(compression, (value) => clamp(value, ...COMPRESSIONS))
   for (const part of compression) for (let i = 0; i < part.length; i++) part[i] *= weight[i]
+  return { compression, ...variedFilm(samples, thickness, variation, noise), weight, pull }
+}
+
+/**
+ * Returns the randomly varying wavelength and critical compression of a film.
+ *
+ * @param thickness thickness of the dermis at each sample in millimetres. Samples with 0 get the mean of the others.
+ */
+export function variedFilm(
+  samples: ChartSamples,
+  thickness: Float64Array,
+  variation: SkinFilm['variation'],
+  noise: FilmNoise,
+): Pick<FilmFields, 'wavelength' | 'critical'> {
   const skin = thickness.filter((value) => value > 0)
   const mean = skin.reduce((sum, value) => sum + value, 0) / skin.length
   const noiseAt = (i: number, stream: number) => noise(...flatPosition(samples, i), variation.size, stream)
   return {
-    compression,
     wavelength: thickness.map((value, i) =>
       filmWavelength((value || mean) * (1 + variation.thickness * noiseAt(i, 2))),
     ),
     critical: thickness.map((_, i) => CRITICAL_COMPRESSION * exp(variation.critical * noiseAt(i, 3))),
-    weight,
-    pull,
   }
 }
 
-function flatPosition({ grid: { width, spacing }, origin }: ChartSamples, i: number): [x: number, y: number] {
+/** Returns the flat position of a sample in millimetres. */
+export function flatPosition(
+  { grid: { width, spacing }, origin }: ChartSamples,
+  i: number,
+): [x: number, y: number] {
   return [origin[0] + (i % width) * spacing, origin[1] + Math.floor(i / width) * spacing]
 }
 
@@ -83,15 +99,16 @@ function samplePull(samples: ChartSamples, film: SkinFilm): readonly [x: Float64
   return [across, up]
 }
 
-type Compression = [xx: Float64Array, xy: Float64Array, yy: Float64Array]
+/** Components of compression tensors, one per sample. */
+export type Compression = [xx: Float64Array, xy: Float64Array, yy: Float64Array]
 
-/** Clamps the principal compressions of tensors to `COMPRESSIONS`, in place. */
-function limitCompression([xx, xy, yy]: Compression): void {
+/** Limits the principal compressions of tensors, in place. */
+export function limitPrincipal([xx, xy, yy]: Compression, limited: (compression: number) => number): void {
   for (let i = 0; i < xx.length; i++) {
     const half = (xx[i] - yy[i]) / 2
     const radius = length2(half, xy[i])
     const mean = (xx[i] + yy[i]) / 2
-    const [high, low] = [clamp(mean + radius, ...COMPRESSIONS), clamp(mean - radius, ...COMPRESSIONS)]
+    const [high, low] = [limited(mean + radius), limited(mean - radius)]
     const scale = radius > 0 ? (high - low) / (2 * radius) : 0
     xx[i] = (high + low) / 2 + scale * half
     yy[i] = (high + low) / 2 - scale * half
@@ -99,12 +116,17 @@ function limitCompression([xx, xy, yy]: Compression): void {
   }
 }
 
+/** Returns the compression in the direction of the pull at each sample. */
+export function compressionAlongPull([xx, xy, yy]: Compression, [x, y]: FilmFields['pull']): Float64Array {
+  return xx.map((_, i) => xx[i] * x[i] * x[i] + 2 * xy[i] * x[i] * y[i] + yy[i] * y[i] * y[i])
+}
+
 /**
  * Turns the compression towards the muscle's pull, because blendshapes show the direction of the pull only roughly. Also adds compression
  * along the pull, because blendshapes compress only a part of the skin on which the muscle acts.
  */
 function turnToPull([xx, xy, yy]: Compression, [x, y]: FilmFields['pull'], weight: Float64Array): void {
-  const along = xx.map((_, i) => xx[i] * x[i] * x[i] + 2 * xy[i] * x[i] * y[i] + yy[i] * y[i] * y[i])
+  const along = compressionAlongPull([xx, xy, yy], [x, y])
   const pulled = along.filter((_, i) => weight[i] >= FULL_WEIGHT).sort((a, b) => b - a)
   const added = clamp(PULL * (pulled[Math.floor(PULLED * pulled.length)] ?? 0), 0, MAX_PULL)
   for (let i = 0; i < weight.length; i++) {

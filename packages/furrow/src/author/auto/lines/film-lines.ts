@@ -2,6 +2,7 @@ import { length2 } from '../../../math/vector.ts'
 import type { SkinSurface, SurfacePoint } from '../../skin/surface.ts'
 import type { BucklingRegion, LineStyle, SkinFilm } from '../anatomy/region.ts'
 import { buckle } from '../buckling/buckle.ts'
+import type { FilmNoise } from '../buckling/film-noise.ts'
 import { flatChart, liftPoint } from '../buckling/flat-chart.ts'
 import { Relief } from '../buckling/relief.ts'
 import { type ChartSamples, sampleAt, sampleChart } from '../buckling/sample-chart.ts'
@@ -54,8 +55,7 @@ export function layFilm(
   const folded = foldFilm(face, region, tensors, report)
   if (!folded) return []
   const { samples, fields, valleys } = folded
-  const deepest = valleys.reduce((most, { depths }) => Math.max(most, ...depths), 0)
-  return valleys.flatMap((valley) => layValley(samples, fields, valley, region.film.style, deepest))
+  return layValleys(samples, fields, valleys, region.film.style)
 }
 
 /** Computes the valleys of a region's film. Returns undefined if the mesh has no skin there. */
@@ -72,18 +72,44 @@ function foldFilm(
   const chart = flatChart(surface, (point) => isFolding(surface, head, film, point), positionOnHead)
   if (!chart) return undefined
   const samples = sampleChart(chart, SPACING, MARGIN)
-  const { grid, origin } = samples
   const fields = filmFields(samples, film, tensors)
-  const [xx, xy, yy] = fields.compression.map((part) => part.map((value) => creasedFraction * value))
-  const heights = buckle({ ...fields, compression: [xx, xy, yy], grid, origin, noise: film.noise }, report)
-  const valleys = traceValleys(new Relief(grid, heights), {
+  const limits = { minWeight: MIN_WEIGHT, minLength: MIN_LENGTH * spacing }
+  const valleys = foldValleys(samples, fields, { creasedFraction, noise: film.noise, ...limits }, report)
+  return {
+    samples,
+    fields,
+    valleys: valleys.filter((valley) => alignment(samples, fields, valley) > ALIGNED),
+  }
+}
+
+/** How a film buckles, and which of its valleys become lines. */
+export interface Folding {
+  /** Fraction of the compression that becomes creases. */
+  creasedFraction: number
+  noise: FilmNoise
+  /** Minimum weight of the compression at a line. */
+  minWeight: number
+  /** Minimum length of a line in millimetres. */
+  minLength: number
+}
+
+/** Lets a film buckle, and traces its valleys. */
+export function foldValleys(
+  samples: ChartSamples,
+  { compression, wavelength, critical, weight }: Omit<FilmFields, 'pull'>,
+  { creasedFraction, noise, minWeight, minLength }: Folding,
+  report?: (fraction: number) => void,
+): Valley[] {
+  const { grid, origin } = samples
+  const [xx, xy, yy] = compression.map((part) => part.map((value) => creasedFraction * value))
+  const film = { grid, origin, compression: [xx, xy, yy], wavelength, critical, noise } as const
+  return traceValleys(new Relief(grid, buckle(film, report)), {
     step: STEP,
-    wavelength: (x, y) => fields.wavelength[sampleAt(samples, x, y)],
-    isInside: (x, y) => fields.weight[sampleAt(samples, x, y)] > MIN_WEIGHT,
+    wavelength: (x, y) => wavelength[sampleAt(samples, x, y)],
+    isInside: (x, y) => weight[sampleAt(samples, x, y)] > minWeight,
     minDepth: MIN_DEPTH,
-    minLength: MIN_LENGTH * spacing,
-  }).filter((valley) => alignment(samples, fields, valley) > ALIGNED)
-  return { samples, fields, valleys }
+    minLength,
+  })
 }
 
 /** Returns whether a point is inside the film's patch and on outer skin. */
@@ -106,12 +132,22 @@ function alignment(samples: ChartSamples, { pull: [pullX, pullY] }: FilmFields, 
 }
 
 /**
- * Lifts a valley onto the surface. Where the skin has a hole, the line is cut.
+ * Lifts valleys onto the surface. Where the skin has a hole, a line is cut.
  *
  * @param style style of the deepest line.
- * @param deepest depth of the deepest valley in millimetres.
  */
-export function layValley(
+export function layValleys(
+  samples: ChartSamples,
+  fields: Pick<FilmFields, 'compression'>,
+  valleys: readonly Valley[],
+  style: LineStyle,
+): LaidLine[] {
+  const deepest = valleys.reduce((most, { depths }) => Math.max(most, ...depths), 0)
+  return valleys.flatMap((valley) => layValley(samples, fields, valley, style, deepest))
+}
+
+/** @param deepest depth of the deepest valley in millimetres. */
+function layValley(
   samples: ChartSamples,
   fields: Pick<FilmFields, 'compression'>,
   { points, depths, joins }: Valley,

@@ -1,5 +1,5 @@
 import type { Uv } from '../../../core/json.ts'
-import { lerp } from '../../../math/scalar.ts'
+import { lerp, rounded } from '../../../math/scalar.ts'
 import { splineKnots } from '../../../math/spline.ts'
 import { barycentricsAt } from '../../skin/walk.ts'
 import type { Stroke } from '../../strokes/document.ts'
@@ -60,8 +60,4 @@ function sample(values: readonly number[], t: number): number {
   const x = t * (values.length - 1)
   const from = Math.min(Math.floor(x), values.length - 2)
   return lerp(values[from], values[from + 1], x - from)
-}
-
-function rounded(value: number, steps: number): number {
-  return Math.round(steps * value) / steps
 }

@@ -1,7 +1,8 @@
 import { dot, length } from '../../../math/vector.ts'
+import { subtract, unit, type Vector } from '../../../math/vector3.ts'
 import type { SkinSkeleton } from '../../skin/skeleton.ts'
 import { FINGERS, type Finger } from './bone-names.ts'
-import { ancestorsOf, childrenOf, commonAncestor, placeOf, subtreeOf } from './hierarchy.ts'
+import { childrenOf, commonAncestor, placeOf, subtreeOf } from './hierarchy.ts'
 import type { HandJoints, NeckJoints } from './humanoid.ts'
 
 /** Number of fingers of a hand. */
@@ -32,7 +33,6 @@ export function findHandsByShape(skeleton: SkinSkeleton, isMoving: readonly bool
       side: undefined,
       wrist,
       fingers: fingersOf(skeleton, chains),
-      elbow: elbowAbove(skeleton, wrist, isMoving),
     }))
 }
 
@@ -91,11 +91,6 @@ function fingersOf(skeleton: SkinSkeleton, chains: readonly number[][]): Map<Fin
   return new Map([thumb, ...others].map((chain, i) => [FINGERS[i], chain]))
 }
 
-function elbowAbove(skeleton: SkinSkeleton, wrist: number, isMoving: readonly boolean[]): number | undefined {
-  const { joints } = skeleton
-  return ancestorsOf(joints, wrist).findLast((joint) => isMoving[joint] && joints[joint].parent >= 0)
-}
-
 function lengthOf(skeleton: SkinSkeleton, chain: readonly number[]): number {
   return chain.slice(1).reduce((sum, joint, i) => sum + distance(skeleton, chain[i], joint), 0)
 }
@@ -108,12 +103,6 @@ function distance(skeleton: SkinSkeleton, a: number, b: number): number {
   return length(between(skeleton, a, b))
 }
 
-function between({ joints }: SkinSkeleton, a: number, b: number): number[] {
-  const [from, to] = [placeOf(joints[a]), placeOf(joints[b])]
-  return to.map((value, k) => value - from[k])
-}
-
-function unit(v: readonly number[]): number[] {
-  const size = length(v) || 1
-  return v.map((value) => value / size)
+function between({ joints }: SkinSkeleton, a: number, b: number): Vector {
+  return subtract(placeOf(joints[b]), placeOf(joints[a]))
 }

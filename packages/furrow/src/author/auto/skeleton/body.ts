@@ -48,15 +48,8 @@ function handsByName(
     const bases = [...fingers.values()].map(([base]) => base)
     const wrist = named('hand', side)[0] ?? commonAncestor(joints, bases)
     if (wrist === undefined) return []
-    const elbow = named('lowerArm', side).sort((a, b) => depthOf(a) - depthOf(b))[0]
-    return [{ side, wrist, fingers, elbow: elbow ?? armAbove(skeleton, wrist) }]
+    return [{ side, wrist, fingers }]
   })
-}
-
-/** Returns the parent of a wrist, if it has a parent itself. */
-function armAbove({ joints }: SkinSkeleton, wrist: number): number | undefined {
-  const above = joints[wrist].parent
-  return above >= 0 && joints[above].parent >= 0 ? above : undefined
 }
 
 function neckByName(

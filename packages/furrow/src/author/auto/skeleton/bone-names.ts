@@ -1,5 +1,5 @@
 /** Part of a humanoid that a joint moves. */
-export type BodyPart = 'head' | 'neck' | 'upperArm' | 'lowerArm' | 'hand' | Finger
+export type BodyPart = 'head' | 'neck' | 'hand' | Finger
 
 export const FINGERS = ['thumb', 'index', 'middle', 'ring', 'little'] as const
 export type Finger = (typeof FINGERS)[number]
@@ -23,8 +23,6 @@ const PARTS: readonly (readonly [part: BodyPart, words: RegExp])[] = [
   ['middle', /mid(dle)?(finger|proximal|intermediate|distal|phalanx|$)|^f?hand?mid/],
   ['ring', /^(hand|def|org|ccbase|bip)*ring(finger|$|proximal|intermediate|distal)/],
   ['little', /little|pinky|pinkie/],
-  ['lowerArm', /forearm|lowerarm|lowarm|elbow/],
-  ['upperArm', /^(bip|ccbase|def|org)*(upperarm|uparm|arm)$/],
   ['hand', /^(bip|ccbase|def|org)*(hand|wrist)$/],
   ['neck', /^(bip|ccbase|def|org)*neck$/],
   ['head', /^(bip|ccbase|def|org)*head$/],

@@ -7,8 +7,6 @@ export interface HandJoints {
   wrist: number
   /** Joints of each finger from its base to its tip, at most three. */
   fingers: ReadonlyMap<Finger, readonly number[]>
-  /** First joint of the forearm; undefined if the skeleton ends at the hand. */
-  elbow: number | undefined
 }
 
 /** Joints of a neck. */

@@ -1,3 +1,4 @@
+import { mirroredName } from '../../../drivers/morph/mirrored-name.ts'
 import type { SkinCanvas } from '../../skin/canvas.ts'
 import { nearestOnSurface } from '../../skin/nearest.ts'
 import { positionAt } from '../../skin/walk.ts'
@@ -44,7 +45,6 @@ export function mirrorStroke<S extends Stroke>(stroke: S, canvas: SkinCanvas, pl
   }
   if (spline.bank) mirrored.bank = swapped(spline.bank)
   if (spline.lean !== undefined) mirrored.lean = -spline.lean
-  if (spline.group !== undefined)
-    mirrored.group = spline.group.replace(/(Left|Right)$/, (side) => (side === 'Left' ? 'Right' : 'Left'))
+  if (spline.group !== undefined) mirrored.group = mirroredName(spline.group)
   return mirrored
 }
