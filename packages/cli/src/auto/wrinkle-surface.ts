@@ -18,6 +18,7 @@ import {
   withCommandErrors,
 } from 'furrow-files'
 import { packAuto } from 'furrow-files/node'
+import type { Steps } from './steps.ts'
 
 const WITHOUT_NORMALS = 'the mesh has no normals; smooth normals were added, because wrinkles need them'
 
@@ -46,13 +47,47 @@ export interface WrinkledSurface {
   warnings: string[]
 }
 
+/** Surfaces with wrinkles, and surfaces that get none, with the reason as a clause for a message. */
+export interface WrinkledSurfaces {
+  made: WrinkledSurface[]
+  failed: { found: FoundSkin; reason: string }[]
+}
+
+/**
+ * Makes wrinkles for the surfaces of a file, and embeds them.
+ *
+ * @param steps get the steps of the first surface. The other surfaces belong to the step `encoding`.
+ */
+export async function wrinkleSurfaces(
+  source: WrinkledSource,
+  [first, ...others]: readonly FoundSkin[],
+  settings: SurfaceSettings,
+  steps: Steps,
+): Promise<WrinkledSurfaces> {
+  const [made, failed]: [WrinkledSurface[], WrinkledSurfaces['failed']] = [[], []]
+  const add = (found: FoundSkin, result: WrinkledSurface | string) => {
+    if (typeof result === 'string') failed.push({ found, reason: result })
+    else made.push(result)
+  }
+  const progress: AutoProgress = (done, count, step) => {
+    if (done < count) steps.at(step, done % 1)
+  }
+  add(first, await wrinkleSurface(source, first, settings, progress, () => steps.begin('encoding')))
+  for (const [i, found] of others.entries()) {
+    const progress: AutoProgress = (done, count) =>
+      steps.at('encoding', Math.min(0.99, (i + done / count) / others.length))
+    add(found, await wrinkleOther(source, found, settings, progress))
+  }
+  return { made, failed }
+}
+
 /**
  * Makes wrinkles for a surface and embeds them in the file.
  *
  * @param encoding called before the maps are encoded.
  * @returns the reason, a clause for a message, if the surface gets no wrinkles.
  */
-export async function wrinkleSurface(
+async function wrinkleSurface(
   { glb, document, who }: WrinkledSource,
   found: FoundSkin,
   { options, ktx2, replace }: SurfaceSettings,
@@ -78,7 +113,7 @@ export async function wrinkleSurface(
 }
 
 /** Makes wrinkles for a further surface, without fine furrows. An error costs only this surface its wrinkles. */
-export async function wrinkleOther(
+async function wrinkleOther(
   source: WrinkledSource,
   found: FoundSkin,
   { options, ...settings }: SurfaceSettings,

@@ -7,7 +7,6 @@ import {
   checkBasisSize,
   checkTriangles,
   documentOf,
-  type FoundSkin,
   findSurfaces,
   jsonFile,
   SURFACE_KINDS,
@@ -18,7 +17,7 @@ import { FACE_EXTENSIONS, readGlbFile } from 'furrow-files/node'
 import { makeReport } from '../auto/report/make-report.ts'
 import { Steps } from '../auto/steps.ts'
 import { summaryLines, summaryOf } from '../auto/summary.ts'
-import { type WrinkledSurface, wrinkleOther, wrinkleSurface } from '../auto/wrinkle-surface.ts'
+import { wrinkleSurfaces } from '../auto/wrinkle-surface.ts'
 import { createCommand } from '../command.ts'
 import { faceFiles } from '../face-outputs.ts'
 import { writeAll } from '../files.ts'
@@ -182,28 +181,9 @@ async function auto(face: string, options: Options): Promise<void> {
       ktx2,
       replace: options.replace ?? false,
     }
-    const made: WrinkledSurface[] = []
-    const failed: { found: FoundSkin; reason: string }[] = []
-    // Regions and fine furrows belong to faces.
+    // Regions belong to faces.
     const wanted = regions ? surfaces.slice(0, 1) : surfaces
-    for (const [i, found] of wanted.entries()) {
-      const result =
-        i === 0
-          ? await wrinkleSurface(
-              source,
-              found,
-              surfaceSettings,
-              (done, count, step) => {
-                if (done < count) steps.at(step, done % 1)
-              },
-              () => steps.begin('encoding'),
-            )
-          : await wrinkleOther(source, found, surfaceSettings, (done, count) =>
-              steps.at('encoding', Math.min(0.99, (i - 1 + done / count) / (wanted.length - 1))),
-            )
-      if (typeof result === 'string') failed.push({ found, reason: result })
-      else made.push(result)
-    }
+    const { made, failed } = await wrinkleSurfaces(source, wanted, surfaceSettings, steps)
     if (made.length === 0) throw noWrinkles(failed[0].reason, failed[0].found.meshName)
     const [{ found, wrinkles }] = made
     const files = await faceFiles(glb, output, WHO, replacing)

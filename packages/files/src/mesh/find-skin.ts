@@ -14,6 +14,7 @@ import { sourceOf } from '../gltf/document.ts'
 import { correctionsIn } from '../json/corrections.ts'
 import { namesOfMesh, type Target } from '../json/target-names.ts'
 import { trianglesOf } from './mesh-nodes.ts'
+import { type JointReader, jointReader } from './read-skeleton.ts'
 import { readSkin } from './read-skin.ts'
 
 /** The surface that gets wrinkles: the primitives of one mesh that share a material. */
@@ -36,16 +37,22 @@ export interface FoundSkin {
   hasTangents: boolean
 }
 
+/** Surface that could get wrinkles. */
+type Candidate = Omit<FoundSkin, 'fraction' | 'reason'>
+
+/** Surface with the hands and the neck that its joints move. */
+export interface LimbSurface extends FoundSkin {
+  /** Nouns for messages, see `limbsOf`. */
+  limbs: readonly string[]
+}
+
 /** Lists all surfaces that could get wrinkles. */
-export function allSurfaces(document: Document, meshName?: string): FoundSkin[] {
-  const meshes = document.getRoot().listMeshes()
-  const wanted = meshes.flatMap((mesh, index) => (isNamed(mesh, meshName) ? [{ mesh, index }] : []))
-  const found = wanted.flatMap(({ mesh, index }) => candidatesOf(document, mesh, index))
-  return found.map((candidate) => {
+export function allSurfaces(document: Document, meshName?: string): LimbSurface[] {
+  return candidatesIn(document, meshName).map((candidate) => {
     const limbs = limbsOf(candidate.skin)
     const reason =
       limbs.length > 0 ? `joints move it: ${limbs.join(', ')}` : 'no joints of hands or a neck move it'
-    return { ...candidate, fraction: Number.NaN, reason }
+    return { ...candidate, limbs, fraction: Number.NaN, reason }
   })
 }
 
@@ -64,7 +71,7 @@ export function findSkin(
   meshName?: string,
   isLit: (material: number) => boolean = () => true,
 ): FoundSkin {
-  const found = bestSkin(document, meshName, isLit)
+  const found = bestSkin(candidatesIn(document, meshName), isLit)
   if (found) return found
   const names = document.getRoot().listMeshes().map(labelOf)
   throw new FurrowError({
@@ -83,19 +90,15 @@ export function findSkin(
 
 /** Chooses like `bestSkin`, but returns undefined if the surface has at most half of the motion of all surfaces. */
 export function mostMovedSkin(document: Document, meshName?: string): FoundSkin | undefined {
-  const skin = bestSkin(document, meshName)
+  const skin = bestSkin(candidatesIn(document, meshName))
   return skin && skin.fraction > 0.5 ? skin : undefined
 }
 
-/** Chooses like `findSkin`, but returns undefined if no mesh can have wrinkles. */
-export function bestSkin(
-  document: Document,
-  meshName?: string,
+/** Chooses like `findSkin` among surfaces that were read. Returns undefined if there are none. */
+export function bestSkin<T extends Candidate>(
+  candidates: readonly T[],
   isLit: (material: number) => boolean = () => true,
-): FoundSkin | undefined {
-  const meshes = document.getRoot().listMeshes()
-  const wanted = meshes.flatMap((mesh, index) => (isNamed(mesh, meshName) ? [{ mesh, index }] : []))
-  const candidates = wanted.flatMap(({ mesh, index }) => candidatesOf(document, mesh, index))
+): (T & FoundSkin) | undefined {
   const choice = chooseSkin(
     candidates.map(({ skin, material, meshName, materialName }) => ({
       skin,
@@ -112,7 +115,8 @@ export function bestSkin(
 /** Returns the surface of a mesh and material, or undefined if it has no triangles with texture coordinates. */
 export function skinOfTarget(document: Document, { mesh: index, material }: Target): Skin | undefined {
   const mesh = document.getRoot().listMeshes()[index]
-  return candidatesOf(document, mesh, index).find((candidate) => candidate.material === material)?.skin
+  const candidates = candidatesOf(document, mesh, index, jointReader(document))
+  return candidates.find((candidate) => candidate.material === material)?.skin
 }
 
 function reasonOf({ fraction, movers }: SkinChoice, count: number): string {
@@ -121,12 +125,17 @@ function reasonOf({ fraction, movers }: SkinChoice, count: number): string {
   return `${Math.round(100 * fraction)}% of the motion of ${movers}`
 }
 
+/** Lists the surfaces of a file that could get wrinkles. If `meshName` is given, only those of this mesh. */
+function candidatesIn(document: Document, meshName: string | undefined): Candidate[] {
+  const joints = jointReader(document)
+  const meshes = document.getRoot().listMeshes()
+  return meshes.flatMap((mesh, index) =>
+    isNamed(mesh, meshName) ? candidatesOf(document, mesh, index, joints) : [],
+  )
+}
+
 /** Lists the surfaces of a mesh that could get wrinkles, one per material. */
-function candidatesOf(
-  document: Document,
-  mesh: Mesh,
-  index: number,
-): Omit<FoundSkin, 'fraction' | 'reason'>[] {
+function candidatesOf(document: Document, mesh: Mesh, index: number, joints: JointReader): Candidate[] {
   const triangles = trianglesOf(mesh)
   const materials = [...new Set(triangles.map((primitive) => primitive.getMaterial()))]
   const json = sourceOf(document)
@@ -136,7 +145,7 @@ function candidatesOf(
     const primitives = triangles.filter((primitive) => primitive.getMaterial() === material)
     const materialIndex = document.getRoot().listMaterials().indexOf(material)
     const { corrections } = correctionsIn(json, materialIndex, 'furrow')
-    const skin = readSkin(mesh, primitives, material, expressions, document)
+    const skin = readSkin(mesh, primitives, material, expressions, joints)
     return [
       {
         skin: correctSkin(skin, corrections, namesOfMesh(json, index)),

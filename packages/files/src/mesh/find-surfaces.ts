@@ -1,8 +1,8 @@
 import type { Document } from '@gltf-transform/core'
 import { FurrowError } from 'furrow'
-import { didYouMean, limbsOf } from 'furrow/internal'
+import { didYouMean } from 'furrow/internal'
 import { sourceOf } from '../gltf/document.ts'
-import { allSurfaces, bestSkin, type FoundSkin, findSkin } from './find-skin.ts'
+import { allSurfaces, bestSkin, type FoundSkin, findSkin, type LimbSurface } from './find-skin.ts'
 import { type JudgedKind, judgeKind, type SurfaceKind } from './surface-kind.ts'
 
 /** Surfaces of a character that get wrinkles. */
@@ -35,11 +35,14 @@ export function findSurfaces(
 ): FoundSurfaces {
   const all = allSurfaces(document, mesh).map((surface) => judged(document, surface, kinds))
   checkNames(kinds, all, who)
-  const best = bestSkin(document, mesh, isLit)
+  const best = bestSkin(
+    all.map(({ surface }) => surface),
+    isLit,
+  )
   const face = best && best.fraction > 0 ? best : undefined
   const surfaces: FoundSkin[] = []
   if (face) surfaces.push(isFolding(judged(document, face, kinds)) ? face : withoutSkeleton(face))
-  const others = all.filter(({ surface }) => !isSame(surface, face) && limbsOf(surface.skin).length > 0)
+  const others = all.filter(({ surface }) => !isSame(surface, face) && surface.limbs.length > 0)
   for (const { surface, kind } of others) if (kind === 'skin') surfaces.push(surface)
   // `autoWrinkles` explains why blendshapes that move nothing give no wrinkles.
   if (surfaces.length === 0 && best && best.skin.targets.length > 0) surfaces.push(withoutSkeleton(best))
@@ -50,12 +53,12 @@ export function findSurfaces(
 }
 
 interface JudgedSurface extends JudgedKind {
-  surface: FoundSkin
+  surface: LimbSurface
 }
 
 function judged(
   document: Document,
-  surface: FoundSkin,
+  surface: LimbSurface,
   kinds: ReadonlyMap<string, SurfaceKind>,
 ): JudgedSurface {
   return { surface, ...judgeKind(sourceOf(document), surface, kinds) }
@@ -74,9 +77,8 @@ function isSame(a: FoundSkin, b: FoundSkin | undefined): boolean {
   return b !== undefined && a.mesh === b.mesh && a.material === b.material
 }
 
-function noteOf({ surface: { meshName, materialName, skin } }: JudgedSurface): string {
-  const limbs = limbsOf(skin).join(', ')
-  return `mesh "${meshName}", material "${materialName}" (${limbs}) may be skin, cloth or hard, and gets no wrinkles: if it is skin, pass --kind "${meshName}=skin"`
+function noteOf({ surface: { meshName, materialName, limbs } }: JudgedSurface): string {
+  return `mesh "${meshName}", material "${materialName}" (${limbs.join(', ')}) may be skin, cloth or hard, and gets no wrinkles: if it is skin, pass --kind "${meshName}=skin"`
 }
 
 function clothNote(cloth: readonly JudgedSurface[]): string[] {

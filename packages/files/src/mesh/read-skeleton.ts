@@ -10,28 +10,47 @@ import { nodeOf } from './mesh-nodes.ts'
 const MAX_ROTATIONS = 256
 
 /**
- * Reads the joints that move a mesh, with the rotations that animations give them.
+ * Reads the joints that move a mesh, with the rotations that animations give them. Returns undefined if no skeleton moves the mesh.
  *
  * @param placement matrix from the mesh to the space of the joints' bind matrices; default: identity.
- * @returns undefined if no skeleton moves the mesh.
  */
-export function readJoints(
-  document: Document,
-  mesh: Mesh,
+export type JointReader = (mesh: Mesh, placement: readonly number[] | undefined) => SkinJoint[] | undefined
+
+/** Creates the reader for the meshes of a file. Animations are read once, for the first mesh with a skeleton. */
+export function jointReader(document: Document): JointReader {
+  let motion: Motion | undefined
+  return (mesh, placement) => {
+    const skin = nodeOf(mesh)?.getSkin()
+    if (!skin) return undefined
+    motion ??= motionOf(document)
+    return readJoints(skin, placement, motion)
+  }
+}
+
+/** Names and motion of a file's nodes. */
+interface Motion {
+  indexOf: ReadonlyMap<Node, number>
+  /** Names of humanoid bones by index of the node. */
+  bones: ReadonlyMap<number, string>
+  rotations: ReadonlyMap<Node, number[][]>
+}
+
+function motionOf(document: Document): Motion {
+  const nodes = document.getRoot().listNodes()
+  return {
+    indexOf: new Map(nodes.map((node, i) => [node, i])),
+    bones: humanBonesOf(sourceOf(document)),
+    rotations: animatedRotations(document),
+  }
+}
+
+function readJoints(
+  skin: Skin,
   placement: readonly number[] | undefined,
-): SkinJoint[] | undefined {
-  const skin = nodeOf(mesh)?.getSkin()
-  if (!skin) return undefined
+  { indexOf, bones, rotations }: Motion,
+): SkinJoint[] {
   const nodes = skin.listJoints()
   const binds = bindMatrices(skin, placement)
-  const bones = humanBonesOf(sourceOf(document))
-  const indexOf = new Map(
-    document
-      .getRoot()
-      .listNodes()
-      .map((node, i) => [node, i]),
-  )
-  const rotations = animatedRotations(document)
   return nodes.map((node, i) => {
     const parent = nearestJoint(node, nodes)
     const rest = restRotation(node, binds[i], parent < 0 ? undefined : binds[parent], nodes[parent])

@@ -1,4 +1,4 @@
-import type { Accessor, Document, Material, Mesh, Primitive } from '@gltf-transform/core'
+import type { Accessor, Material, Mesh, Primitive } from '@gltf-transform/core'
 import type { Skin } from 'furrow/author'
 import { joinParts, type SkinPart } from 'furrow/internal'
 import { Matrix4 } from 'three'
@@ -6,27 +6,27 @@ import { namesOfTargets } from '../json/gltf-json.ts'
 import { readCoordinates } from './coordinates.ts'
 import { type HeadReader, headReader } from './head-weights.ts'
 import { nodeOf, placementOf } from './mesh-nodes.ts'
-import { influencesOf, readJoints } from './read-skeleton.ts'
+import { influencesOf, type JointReader } from './read-skeleton.ts'
 
 /**
  * Reads primitives of a mesh as one surface, in metres in world space. If several nodes place the mesh, uses the first.
  *
  * @param expressions names of VRM expressions that move a single morph target, by index of the target.
- * @param document file of the mesh, whose animations and humanoid tell how the joints move.
+ * @param joints result of `jointReader` for the file.
  */
 export function readSkin(
   mesh: Mesh,
   primitives: readonly Primitive[],
   material: Material,
   expressions: ReadonlyMap<number, string>,
-  document: Document,
+  joints: JointReader,
 ): Skin {
   const targets = Math.max(0, ...primitives.map((primitive) => primitive.listTargets().length))
   const names = namesOfTargets(mesh.getExtras().targetNames, targets)
   const head = headReader(mesh)
   const parts = primitives.map((primitive) => partOf(primitive, material, head))
   const placement = placementOfMesh(mesh)
-  return joinParts(parts, names, placement, expressions, readJoints(document, mesh, placement))
+  return joinParts(parts, names, placement, expressions, joints(mesh, placement))
 }
 
 function partOf(primitive: Primitive, material: Material, head: HeadReader | undefined): SkinPart {

@@ -1,9 +1,8 @@
 import type { Document } from '@gltf-transform/core'
-import { limbsOf } from 'furrow/internal'
 import type { Glb } from '../gltf/glb.ts'
 import { targetNamesOf } from '../json/gltf-json.ts'
 import { allSurfaces, bestSkin, type FoundSkin } from '../mesh/find-skin.ts'
-import { judgeKind } from '../mesh/surface-kind.ts'
+import { judgeKind, type SurfaceKind } from '../mesh/surface-kind.ts'
 import { inspectShapes, type ShapeReport } from './inspect-shapes.ts'
 
 export interface MeshReport {
@@ -18,11 +17,11 @@ export interface MeshReport {
 export interface SurfaceReport {
   mesh: string
   material: string
-  kind: 'skin' | 'cloth' | 'hard' | 'unknown'
+  kind: SurfaceKind | 'unknown'
   /** Why the surface is of this kind: a clause. */
   why: string
   /** Hands and neck that joints of the surface move. */
-  limbs: string[]
+  limbs: readonly string[]
 }
 
 export interface PlainInspection {
@@ -50,11 +49,12 @@ export function inspectPlain(
   document: Document,
   path: string,
 ): { report: PlainInspection; skin?: FoundSkin } {
-  const skin = bestSkin(document)
-  const surfaces = allSurfaces(document).map((surface): SurfaceReport => {
+  const all = allSurfaces(document)
+  const skin = bestSkin(all)
+  const surfaces = all.map((surface): SurfaceReport => {
     const { kind = 'unknown', reason } = judgeKind(glb.json, surface)
-    const { meshName, materialName } = surface
-    return { mesh: meshName, material: materialName, kind, why: reason, limbs: limbsOf(surface.skin) }
+    const { meshName, materialName, limbs } = surface
+    return { mesh: meshName, material: materialName, kind, why: reason, limbs }
   })
   const isMoved = skin !== undefined && skin.fraction > 0
   const report = {
