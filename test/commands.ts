@@ -7,6 +7,7 @@ const COMMANDS = {
   auto: async () => (await import('../packages/cli/src/commands/auto.ts')).autoCommand,
   bake: async () => (await import('../packages/cli/src/commands/bake.ts')).bakeCommand,
   batch: async () => (await import('../packages/cli/src/batch/commands/batch.ts')).batchCommand,
+  import: async () => (await import('../packages/cli/src/commands/import.ts')).importCommand,
   inspect: async () => (await import('../packages/cli/src/commands/inspect.ts')).inspectCommand,
   live: async () => (await import('../packages/cli/src/commands/live.ts')).liveCommand,
   normals: async () => (await import('../packages/cli/src/commands/normals.ts')).normalsCommand,

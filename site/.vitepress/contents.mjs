@@ -23,6 +23,8 @@ const GUIDES = [
     doc('wrinkles.json', 'wrinkles-json'),
     doc('Baked from a sculpt', 'bake'),
     doc('Normal maps from heights', 'normals'),
+    doc('From other programs', 'import'),
+    doc('Expression maps', 'import-expressions'),
   ]),
   group('Drive them', [
     doc('Drivers', 'drivers'),

@@ -8,6 +8,7 @@ import { activationsCommand } from './commands/activations.ts'
 import { arrayCommand } from './commands/array.ts'
 import { autoCommand } from './commands/auto.ts'
 import { bakeCommand } from './commands/bake.ts'
+import { importCommand } from './commands/import.ts'
 import { inspectCommand } from './commands/inspect.ts'
 import { liveCommand } from './commands/live.ts'
 import { normalsCommand } from './commands/normals.ts'
@@ -39,6 +40,7 @@ for (const command of [
   autoCommand,
   bakeCommand,
   batchCommand,
+  importCommand,
   inspectCommand,
   liveCommand,
   normalsCommand,

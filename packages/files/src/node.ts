@@ -20,6 +20,10 @@ export {
   MAX_HEIGHT,
 } from './images/encode.ts'
 export { type HeightImage, readHeightImage } from './images/height-image.ts'
+export { type ImportResult, importWrinkles, MAX_IMPORT_BYTES } from './imports/import-wrinkles.ts'
+export { IMPORT_SOURCES, type ImportSource } from './imports/imported-set.ts'
+export { openSourceFiles } from './imports/open-source-files.ts'
+export type { SourceFiles } from './imports/source-files.ts'
 export { readLayers } from './ktx2/read-layers.ts'
 export { type FaceMesh, readFaceMesh } from './mesh/face-mesh.ts'
 export { drawSet } from './pack/draw-set.ts'

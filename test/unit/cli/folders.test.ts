@@ -15,6 +15,7 @@ const shop = new Workshop()
 const COMMANDS: [CommandName, (folder: string) => string[]][] = [
   ['array', (folder) => ['none.ktx2', '--extract', folder]],
   ['auto', (folder) => ['none.glb', '-o', shop.path('x.glb'), '--report', folder]],
+  ['import', (folder) => ['none.json', '--face', 'none.glb', '-o', folder]],
   ['strokes', (folder) => ['none.json', '--face', 'none.glb', '--areas', folder]],
   ['unpack', (folder) => ['none.glb', '-o', folder]],
 ]

@@ -5,9 +5,9 @@ import {
   type AreasPerImage,
   addMorphNormals,
   cannotRead,
+  imageBytes,
   kilobytes,
   PACK_DEFAULTS,
-  type PackedSet,
   packFace,
   setOfFolder,
   strokesBytes,
@@ -160,13 +160,4 @@ function describe(result: Result): string {
   const lines = strokes > 0 ? `strokes: ${strokes}; ` : ''
   const size = `wrinkles are ${kilobytes(added)} of ${kilobytes(bytes)}`
   return `${file}: material "${material ?? ''}"; ${names}; drivers: ${drivers}; ${lines}${size}${normals}`
-}
-
-/** Returns the total size of all images in bytes. A shared image counts once. */
-function imageBytes({ layers, areas }: PackedSet): number {
-  const maps = layers.flatMap(({ normal, baseColor, roughness, occlusion, height, blood }) => {
-    return [normal, baseColor, roughness, occlusion, height, blood]
-  })
-  const images = new Set([...maps, ...areas.map(({ image }) => image)].map((image) => image?.bytes))
-  return [...images].reduce((sum, bytes) => sum + (bytes?.length ?? 0), 0)
 }
