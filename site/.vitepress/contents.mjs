@@ -24,6 +24,7 @@ const GUIDES = [
     doc('Baked from a sculpt', 'bake'),
     doc('Normal maps from heights', 'normals'),
     doc('From other programs', 'import'),
+    doc('Character Creator', 'import-character-creator'),
     doc('Expression maps', 'import-expressions'),
   ]),
   group('Drive them', [

@@ -20,7 +20,14 @@ export {
   MAX_HEIGHT,
 } from './images/encode.ts'
 export { type HeightImage, readHeightImage } from './images/height-image.ts'
-export { type ImportResult, importWrinkles, MAX_IMPORT_BYTES } from './imports/import-wrinkles.ts'
+export { POWER_RANGE } from './imports/character-creator/region-settings.ts'
+export { REGIONS } from './imports/character-creator/rules.ts'
+export {
+  detectSource,
+  type ImportResult,
+  importWrinkles,
+  MAX_IMPORT_BYTES,
+} from './imports/import-wrinkles.ts'
 export { IMPORT_SOURCES, type ImportSource } from './imports/imported-set.ts'
 export { openSourceFiles } from './imports/open-source-files.ts'
 export type { SourceFiles } from './imports/source-files.ts'

@@ -1,4 +1,4 @@
-import { Option } from 'commander'
+import { InvalidArgumentError, Option } from 'commander'
 import { MAX_IMAGE_SIDE } from 'furrow/internal'
 import {
   encodeGlb,
@@ -9,18 +9,21 @@ import {
   unpackWrinkles,
 } from 'furrow-files'
 import {
+  detectSource,
   FACE_EXTENSIONS,
   IMPORT_SOURCES,
   type ImportResult,
   type ImportSource,
   importWrinkles,
   openSourceFiles,
+  POWER_RANGE,
+  REGIONS,
   readGlbFile,
 } from 'furrow-files/node'
 import { createCommand } from '../command.ts'
 import { faceFiles } from '../face-outputs.ts'
 import { writeAll, writeFolder } from '../files.ts'
-import { allowOutsideOption, forceOption, numberParser } from '../options.ts'
+import { allowOutsideOption, assignmentParser, forceOption, numberParser } from '../options.ts'
 import { checkNewFolder, checkOutputs } from '../outputs.ts'
 import { print, warn } from '../print.ts'
 import { withBar } from '../progress.ts'
@@ -35,10 +38,25 @@ interface Options {
   material?: string
   size?: number
   green?: 'up' | 'down'
+  power?: Record<string, number>
   ktx2?: boolean
   allowOutside?: boolean
   force?: boolean
   json?: boolean
+}
+
+const assignPower = assignmentParser(POWER_RANGE)
+
+/** Parses `REGION=EXPONENT`. */
+function parsePower(text: string, collected?: Record<string, number>): Record<string, number> {
+  const powers = assignPower(text, collected)
+  const unknown = Object.keys(powers).find(
+    (name) => name !== 'all' && !REGIONS.some((region) => region === name),
+  )
+  if (unknown === undefined) return powers
+  throw new InvalidArgumentError(
+    `It must be REGION=EXPONENT, with one of the regions all, ${REGIONS.join(', ')}.`,
+  )
 }
 
 export const importCommand = createCommand('import')
@@ -60,6 +78,11 @@ export const importCommand = createCommand('import')
       'down',
     ]),
   )
+  .option(
+    '--power <region=exponent...>',
+    "power curve of Character Creator's regions, or all=EXPONENT",
+    parsePower,
+  )
   .option('--ktx2', 'write maps and areas as KTX 2 (UASTC)')
   .addOption(allowOutsideOption())
   .addOption(forceOption())
@@ -67,12 +90,14 @@ export const importCommand = createCommand('import')
   .addHelpText(
     'after',
     `
-Reads expression maps: neutral.png and one normal map per expression.
+Reads exports of Character Creator, and expression maps: neutral.png and one
+normal map per expression.
 The command lists what Furrow's format cannot store, and what it did not read.
 
 Examples:
   $ furrow import scans --face avatar.glb -o wrinkled.glb
-  $ furrow import scans --face avatar.glb -o my-face --green down`,
+  $ furrow import scans --face avatar.glb -o my-face --green down
+  $ furrow import Kevin --face kevin.glb -o wrinkled.glb --power all=1.5`,
   )
   .action(importMaps)
 
@@ -84,9 +109,9 @@ async function importMaps(path: string, options: Options): Promise<void> {
   else await checkNewFolder(output, WHO)
   const files = await openSourceFiles(path, WHO, options)
   const glb = await readGlbFile(face, WHO, options)
-  const { from = 'expressions', ktx2 = PACK_DEFAULTS.ktx2 } = options
+  const { from = await detectSource(files, WHO), ktx2 = PACK_DEFAULTS.ktx2, power: powers } = options
   const result = await withBar('import', (progress) =>
-    importWrinkles(from, files, glb, face, { ...options, ktx2 }, WHO, progress),
+    importWrinkles(from, files, glb, face, { ...options, ktx2, powers }, WHO, progress),
   )
   if (isFace) await writeAll(await faceFiles(result.glb, output, WHO, rules), WHO, rules)
   else await writeMaps(result, output)

@@ -11,10 +11,12 @@ import { PACK_DEFAULTS, type PackOptions } from '../pack/pack.ts'
 import { type PackedFace, packFace } from '../pack/pack-face.ts'
 import { kilobytes } from '../wrinkles/sizes.ts'
 import { addNormalMap } from './add-normal-map.ts'
+import { convertCharacter, findCharacter } from './character-creator/convert-character.ts'
+import { characterFiles, readCharacter } from './character-creator/read-character.ts'
 import { convertExpressions } from './expressions/convert-expressions.ts'
 import type { FaceToImport } from './face-maps.ts'
 import type { ImportedSet, ImportSettings, ImportSource } from './imported-set.ts'
-import { isImagePath, type SourceFiles } from './source-files.ts'
+import { isImagePath, type SourceFiles, stemOf } from './source-files.ts'
 import { sideOf } from './source-image.ts'
 
 /** Largest size of imported wrinkles in bytes. Larger maps are scaled down. */
@@ -38,6 +40,7 @@ type Convert = (
 ) => Promise<ImportedSet>
 
 const CONVERTERS: Readonly<Record<ImportSource, Convert>> = {
+  'character-creator': (files, face, _, settings, who) => convertCharacter(files, face, settings, who),
   expressions: convertExpressions,
 }
 
@@ -47,6 +50,8 @@ export interface ImportOptions extends TargetNames, Pick<PackOptions, 'ktx2'> {
   size?: number | undefined
   /** Direction of green in the source's normal maps. */
   green?: ImportSettings['green'] | undefined
+  /** Exponents of Character Creator's regions by name, or for `all`. Default: as in the file, else 1. */
+  powers?: ImportSettings['powers'] | undefined
 }
 
 /** Result of an import. */
@@ -79,13 +84,19 @@ export async function importWrinkles(
   who: string,
   progress: Progress,
 ): Promise<ImportResult> {
-  const target = await findTarget(glb, path, who, options)
+  const target = await findTarget(glb, path, who, await targetNames(source, files, glb, options, who))
   const skin = skinOfTarget(await documentOf(glb, path, who), target)
-  const { green = 'up', ktx2 } = options
+  const { green = 'up', powers = {}, ktx2 } = options
   let size = options.size ?? Math.min(DEFAULT_SIZE, await largestSide(files, who))
   for (;;) {
     const face: FaceToImport = { glb: { ...glb, json: structuredClone(glb.json) }, path, target }
-    const { set, normalMap, lost, unread } = await CONVERTERS[source](files, face, skin, { size, green }, who)
+    const { set, normalMap, lost, unread } = await CONVERTERS[source](
+      files,
+      face,
+      skin,
+      { size, green, powers },
+      who,
+    )
     if (normalMap) addNormalMap(face, normalMap)
     const names = namesOfTarget(glb.json, target)
     const packed = await packFace(face.glb, path, set, { ...PACK_DEFAULTS, ktx2, ...names }, who, progress)
@@ -107,10 +118,35 @@ export async function importWrinkles(
   }
 }
 
+/** Recognises the program that wrote the files. */
+export async function detectSource(files: SourceFiles, who: string): Promise<ImportSource> {
+  for (const path of characterFiles(files))
+    if (await readCharacter(files, path, who)) return 'character-creator'
+  return 'expressions'
+}
+
+/** Returns the names of mesh and material: as the user says, else as the source says if the face has them. */
+async function targetNames(
+  source: ImportSource,
+  files: SourceFiles,
+  { json }: Glb,
+  { mesh, material }: ImportOptions,
+  who: string,
+): Promise<TargetNames> {
+  if (source !== 'character-creator' || material !== undefined) return { mesh, material }
+  const wanted = (await findCharacter(files, who)).material.toLowerCase()
+  // Blender appends numbers to names that exist already, e.g. `Std_Skin_Head.001`.
+  const found = json.materials?.find(({ name = '' }) => name.toLowerCase().replace(/\.\d+$/, '') === wanted)
+  return { mesh, material: found?.name }
+}
+
+/** Returns the largest side of all images that are not masks, in texels. */
 async function largestSide(files: SourceFiles, who: string): Promise<number> {
   let largest = 1
-  for (const path of files.paths.filter(isImagePath))
-    largest = Math.max(largest, await sideOf(files, path, who))
+  for (const path of files.paths) {
+    const isMap = isImagePath(path) && !/mask|_msk_/.test(stemOf(path))
+    if (isMap) largest = Math.max(largest, await sideOf(files, path, who))
+  }
   return largest
 }
 

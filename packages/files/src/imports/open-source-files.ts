@@ -15,11 +15,7 @@ const MAX_FILES = 10_000
  * @param path a folder, or a JSON file in it. Of a file, only its folder and its name are used.
  * @throws FurrowError if the folder cannot be read, or has too many files.
  */
-export async function openSourceFiles(
-  path: string,
-  who: string,
-  options: ReadOptions,
-): Promise<SourceFiles & { document?: string }> {
+export async function openSourceFiles(path: string, who: string, options: ReadOptions): Promise<SourceFiles> {
   const isFile = (await statOf(path).catch(() => undefined))?.isFile() ?? false
   if (isFile && !/\.json$/i.test(path)) throw notAnExport(path, who)
   const folder = isFile ? dirname(path) : path

@@ -2,6 +2,8 @@
 export interface SourceFiles {
   /** Name of the folder or document, for errors. */
   name: string
+  /** Path of the document that the user named. Default: the document is found. */
+  document?: string
   /** Paths relative to the folder, with `/` as separator, sorted. */
   paths: readonly string[]
   /**

@@ -54,7 +54,7 @@ export async function packSet(
   const weights: GrayImage[] = []
   for (const area of set.areas) {
     const resampled = resampleGray(await area.weights(), side)
-    if (resampled.data.every((value) => value === 0)) {
+    if (!area.isHidden && resampled.data.every((value) => value === 0)) {
       warnings.push(`${who}: area "${area.name}" is empty${area.hint ?? ''}`)
     }
     weights.push(resampled)

@@ -29,6 +29,8 @@ export type MapToPack = { path: string; bytes: Uint8Array } | Pixels
 /** Area of `wrinkles.json` with a function that loads its weights. */
 export interface AreaToPack extends Omit<AreaEntry, 'image' | 'convention'> {
   weights(): Promise<GrayImage>
+  /** Whether the area has no weights on purpose, because it only drives other areas. */
+  isHidden?: boolean
   /** Text that is appended to the warning about an empty area. */
   hint?: string
 }

@@ -1,0 +1,33 @@
+/** A curve with at most as many points as drivers may have. */
+const POINTS = 49
+
+/**
+ * Samples the curve `shape(min(1, strength x^power))` for a driver. Points are closer where the power rises steeply.
+ *
+ * @param shape maps 0..1 to 0..1.
+ */
+export function powerCurve(
+  strength: number,
+  power: number,
+  shape: (value: number) => number = (value) => value,
+): [number, number][] {
+  if (strength === 0) {
+    return [
+      [0, 0],
+      [1, 0],
+    ]
+  }
+  const end = strength ** (-1 / power)
+  const isLinear = power === 1 && [0.25, 0.5, 0.75].every((value) => Math.abs(shape(value) - value) < 1e-9)
+  const count = isLinear ? 2 : POINTS
+  const points = Array.from({ length: count }, (_, i): [number, number] => {
+    const input = end * (i / (count - 1)) ** Math.max(1, 1 / power)
+    const value = Math.min(1, strength * input ** power)
+    return [rounded(input), rounded(Math.min(1, Math.max(0, shape(value))))]
+  })
+  return points.filter(([input], i) => i === 0 || input > points[i - 1][0])
+}
+
+function rounded(value: number): number {
+  return Math.round(value * 1e6) / 1e6
+}
