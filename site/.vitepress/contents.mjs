@@ -25,6 +25,7 @@ const GUIDES = [
     doc('Normal maps from heights', 'normals'),
     doc('From other programs', 'import'),
     doc('Character Creator', 'import-character-creator'),
+    doc('MetaHuman', 'import-metahuman'),
     doc('Expression maps', 'import-expressions'),
   ]),
   group('Drive them', [

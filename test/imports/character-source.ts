@@ -152,12 +152,7 @@ export class CharacterSource {
       files[`textures/Kevin/Head_Wrinkle_Diffuse${i + 1}.png`] = await rgbPng(size, this.#diffuse(i + 1))
       if (flow) files[`textures/Kevin/Head_Wrinkle_Flow${i + 1}.png`] = await rgbPng(size, this.#flow())
     }
-    for (const mask of ['Set1A', 'Set1B', 'Set2', 'Set3', 'Set123']) {
-      const data = Uint8Array.from({ length: 4 * MASK_SIZE ** 2 }, (_, i) => {
-        return Math.round(255 * maskAt(`${mask} ${i % 4}`, ...centreOf(Math.floor(i / 4), MASK_SIZE)))
-      })
-      files[`RL_WrinkleMask_${mask}.png`] = await rgbPng(MASK_SIZE, data)
-    }
+    for (const [mask, png] of await masks()) files[`RL_WrinkleMask_${mask}.png`] = png
     return files
   }
 
@@ -247,8 +242,8 @@ export class CharacterSource {
     let sum = 0
     for (const [own, rule, mask] of RULES) {
       if (own !== set) continue
-      if (spotAt(mask, u, v) === 0) continue
       const weight = maskAt(mask, u, v)
+      if (weight === 0) continue
       for (const side of SIDES) sum += weight * sideAt(u, side) * (values.get(`${set} ${rule} ${side}`) ?? 0)
     }
     return Math.min(1, this.#flowAt(v) + sum) * sum
@@ -281,20 +276,44 @@ export class CharacterSource {
   }
 }
 
+let known: Promise<[string, Uint8Array][]> | undefined
+
+/** Returns the masks as PNG. They are the same for all characters. */
+function masks(): Promise<[string, Uint8Array][]> {
+  known ??= Promise.all(
+    ['Set1A', 'Set1B', 'Set2', 'Set3', 'Set123'].map(async (mask): Promise<[string, Uint8Array]> => {
+      const data = Uint8Array.from({ length: 4 * MASK_SIZE ** 2 }, (_, i) => {
+        return Math.round(255 * maskAt(`${mask} ${i % 4}`, ...centreOf(Math.floor(i / 4), MASK_SIZE)))
+      })
+      return [mask, await rgbPng(MASK_SIZE, data)]
+    }),
+  )
+  return known
+}
+
 /** Adds the largest and the smallest of the changes of the three sets. */
 function blend(base: number, wrinkled: readonly number[], amounts: readonly number[]): number {
   const changes = wrinkled.map((value, i) => (value - base) * amounts[i]!)
   return base + Math.max(...changes) + Math.min(...changes)
 }
 
+/** Masks of the sets that use a mask, per set. */
+const SHARERS = new Map(
+  Object.keys(SPOTS).map((mask) => {
+    const sets = RULES.filter(([, , own]) => own === mask).map(([set]) => set)
+    return [
+      mask,
+      sets.map((set) => [...new Set(RULES.filter(([own]) => own === set).map(([, , own]) => own))]),
+    ]
+  }),
+)
+
 /** Returns the weight of a mask. The masks of one set sum to at most 1. */
 function maskAt(mask: string, u: number, v: number): number {
-  const sets = RULES.filter(([, , own]) => own === mask).map(([set]) => set)
-  const sums = sets.map((set) => {
-    const masks = new Set(RULES.filter(([own]) => own === set).map(([, , own]) => own))
-    return [...masks].reduce((sum, own) => sum + spotAt(own, u, v), 0)
-  })
-  return spotAt(mask, u, v) / Math.max(1, ...sums)
+  const weight = spotAt(mask, u, v)
+  if (weight === 0) return 0
+  const sums = SHARERS.get(mask)!.map((masks) => masks.reduce((sum, own) => sum + spotAt(own, u, v), 0))
+  return weight / Math.max(1, ...sums)
 }
 
 function spotAt(mask: string, u: number, v: number): number {

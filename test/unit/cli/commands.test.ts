@@ -99,7 +99,7 @@ describe('an option', () => {
       'batch --memory': 'an integer from 256 to 1048576 MB',
       'batch --timeout': 'a number from 1 to 86400 seconds',
       'batch --thumbnails': 'an integer from 0 to 100000',
-      'import --from': 'character-creator expressions',
+      'import --from': 'character-creator metahuman expressions',
       'import --size': 'an integer from 64 to 8192 texels',
       'import --green': 'up down',
       'import --power': 'NAME=VALUE with a value from 0.25 to 2; put files before this option',

@@ -90,8 +90,8 @@ export const importCommand = createCommand('import')
   .addHelpText(
     'after',
     `
-Reads exports of Character Creator, and expression maps: neutral.png and one
-normal map per expression.
+Reads exports of Character Creator and MetaHuman, and expression maps:
+neutral.png and one normal map per expression.
 The command lists what Furrow's format cannot store, and what it did not read.
 
 Examples:

@@ -16,6 +16,8 @@ import { characterFiles, readCharacter } from './character-creator/read-characte
 import { convertExpressions } from './expressions/convert-expressions.ts'
 import type { FaceToImport } from './face-maps.ts'
 import type { ImportedSet, ImportSettings, ImportSource } from './imported-set.ts'
+import { convertMetahuman } from './metahuman/convert-metahuman.ts'
+import { animatedMaps } from './metahuman/metahuman-files.ts'
 import { isImagePath, type SourceFiles, stemOf } from './source-files.ts'
 import { sideOf } from './source-image.ts'
 
@@ -41,6 +43,7 @@ type Convert = (
 
 const CONVERTERS: Readonly<Record<ImportSource, Convert>> = {
   'character-creator': (files, face, _, settings, who) => convertCharacter(files, face, settings, who),
+  metahuman: (files, face, _, settings, who) => convertMetahuman(files, face, settings, who),
   expressions: convertExpressions,
 }
 
@@ -86,7 +89,8 @@ export async function importWrinkles(
 ): Promise<ImportResult> {
   const target = await findTarget(glb, path, who, await targetNames(source, files, glb, options, who))
   const skin = skinOfTarget(await documentOf(glb, path, who), target)
-  const { green = 'up', powers = {}, ktx2 } = options
+  // Unreal's normal maps follow Direct3D.
+  const { green = source === 'metahuman' ? 'down' : 'up', powers = {}, ktx2 } = options
   let size = options.size ?? Math.min(DEFAULT_SIZE, await largestSide(files, who))
   for (;;) {
     const face: FaceToImport = { glb: { ...glb, json: structuredClone(glb.json) }, path, target }
@@ -122,7 +126,7 @@ export async function importWrinkles(
 export async function detectSource(files: SourceFiles, who: string): Promise<ImportSource> {
   for (const path of characterFiles(files))
     if (await readCharacter(files, path, who)) return 'character-creator'
-  return 'expressions'
+  return animatedMaps(files).normals.size > 0 ? 'metahuman' : 'expressions'
 }
 
 /** Returns the names of mesh and material: as the user says, else as the source says if the face has them. */

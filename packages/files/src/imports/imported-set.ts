@@ -2,7 +2,7 @@ import type { Pixels } from '../images/pixels.ts'
 import type { SetToPack } from '../pack/set-to-pack.ts'
 
 /** Program or kind of files that an import reads. */
-export const IMPORT_SOURCES = ['character-creator', 'expressions'] as const
+export const IMPORT_SOURCES = ['character-creator', 'metahuman', 'expressions'] as const
 export type ImportSource = (typeof IMPORT_SOURCES)[number]
 
 /** Wrinkles of another program in Furrow's format. */
