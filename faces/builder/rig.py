@@ -74,6 +74,8 @@ def _vertices(mesh: Mesh, end: dict) -> np.ndarray:
     """Returns the vertices whose mean is an end of a bone. They form a small helper cube, or belong to the skin."""
     if end["strategy"] == "MEAN":
         return np.array(end["vertex_indices"])
+    if end["strategy"] == "VERTEX":
+        return np.array([end["vertex_index"]])
     return np.unique(mesh.quads[mesh.groups == end["cube_name"]])
 
 

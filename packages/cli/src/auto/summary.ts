@@ -46,11 +46,12 @@ function surfaceSummary({ found, wrinkles, cost }: WrinkledSurface) {
       error,
       links: driver.targets,
     })),
-    jointAreas: jointAreas.map(({ name, layer, drivers, compression, error, lines }) => ({
+    jointAreas: jointAreas.map(({ name, layer, drivers, compression, lost, error, lines }) => ({
       name,
       layer,
       lines,
       compression,
+      ...(lost !== undefined && { lost }),
       error,
       joints: drivers.map(({ joints: [, joint] }) => joint),
     })),
@@ -89,7 +90,9 @@ function surfaceLines({ found, wrinkles }: WrinkledSurface, output: string): str
   })
   const jointRows = jointAreas.map((area) => {
     const joints = area.drivers.map(({ joints: [, joint], curve }) => `${joint} ${degrees(curve)}`)
-    return areaRow(area, joints)
+    const limit =
+      area.lost === undefined ? [] : [`folds are limited: the cloth loses ${Math.round(100 * area.lost)}%`]
+    return areaRow(area, [...joints, ...limit])
   })
   const otherRows = others.length > 0 ? [`  without lines: ${others.join(', ')}`] : []
   return [head, ...rows, ...jointRows, ...otherRows, ...missingRows(missing)]

@@ -102,7 +102,16 @@ async function wrinkleSurface(
   skinWarnings.push(...faceWarnings(glb.json, found, found.materialName, who))
   const frame = found.hasTangents ? 'orthonormal' : 'derivative'
   const wrinkles = withCommandErrors(who, () =>
-    autoWrinkles(found.skin, { ...options, ...(seed !== undefined && { seed }), frame }, progress),
+    autoWrinkles(
+      found.skin,
+      {
+        ...options,
+        ...(seed !== undefined && { seed }),
+        ...(found.cloth !== undefined && { cloth: found.cloth, furrows: false }),
+        frame,
+      },
+      progress,
+    ),
   )
   if (wrinkles.emptyReason !== undefined) return wrinkles.emptyReason
   encoding()

@@ -1,7 +1,7 @@
 import { join } from 'node:path'
 import { InvalidArgumentError, Option } from 'commander'
 import { FurrowError } from 'furrow'
-import { AUTO_DEFAULTS, AUTO_REGIONS, type AutoRegion } from 'furrow/author'
+import { AUTO_DEFAULTS, AUTO_REGIONS, type AutoRegion, CLOTH_KINDS, type ClothKind } from 'furrow/author'
 import { AUTO_STEPS, BULGES_FROM, strokesOf } from 'furrow/internal'
 import {
   checkBasisSize,
@@ -49,6 +49,7 @@ interface Options {
   symmetry: number
   mesh?: string
   kind?: Map<string, SurfaceKind>
+  cloth?: ClothKind
   layers?: number
   areas: number
   furrows?: boolean
@@ -93,9 +94,12 @@ export const autoCommand = createCommand('auto')
   )
   .option(
     '--mesh <name>',
-    'only mesh to wrinkle (default: the face, and all skin of hands and necks that joints move)',
+    'only mesh to wrinkle (default: the face, and all skin and cloth of a humanoid that joints move)',
   )
   .option('--kind <mesh=kind...>', `what a mesh or material is: ${SURFACE_KINDS.join(', ')}`, parseKind)
+  .addOption(
+    new Option('--cloth <kind>', 'how stiff all cloth is (default: told by names)').choices(CLOTH_KINDS),
+  )
   .option(
     '--layers <count>',
     `maximum number of layers, 1 to 4 (default: ${AUTO_DEFAULTS.layers}; with --ktx2: ${KTX2_LAYERS}, plus 1 with --furrows, plus 1 with --age over ${BULGES_FROM})`,
@@ -174,7 +178,12 @@ async function auto(face: string, options: Options): Promise<void> {
     checkTriangles(glb, WHO, mesh)
     const document = await documentOf(glb, face, WHO)
     const isLit = (i: number) => shadingOf(glb.json, i) !== 'unlit'
-    const { surfaces, notes } = findSurfaces(document, face, WHO, { mesh, kinds: options.kind, isLit })
+    const { surfaces, notes } = findSurfaces(document, face, WHO, {
+      mesh,
+      kinds: options.kind,
+      cloth: options.cloth,
+      isLit,
+    })
     const source = { glb, document, who: WHO }
     const surfaceSettings = {
       options: { ...settings, ...(options.seed !== undefined && { seed: options.seed }) },

@@ -1,6 +1,6 @@
 import type { Document, Material, Mesh } from '@gltf-transform/core'
 import { FurrowError } from 'furrow'
-import type { Skin } from 'furrow/author'
+import type { ClothKind, Skin } from 'furrow/author'
 import {
   chooseSkin,
   correctSkin,
@@ -35,12 +35,14 @@ export interface FoundSkin {
   /** Whether blendshapes of brows, lids and mouth move the surface. */
   isFace?: boolean
   hasTangents: boolean
+  /** Kind of cloth; undefined if the surface is skin. */
+  cloth?: ClothKind
 }
 
 /** Surface that could get wrinkles. */
 type Candidate = Omit<FoundSkin, 'fraction' | 'reason'>
 
-/** Surface with the hands and the neck that its joints move. */
+/** Surface with the limbs that its joints move. */
 export interface LimbSurface extends FoundSkin {
   /** Nouns for messages, see `limbsOf`. */
   limbs: readonly string[]
@@ -51,7 +53,7 @@ export function allSurfaces(document: Document, meshName?: string): LimbSurface[
   return candidatesIn(document, meshName).map((candidate) => {
     const limbs = limbsOf(candidate.skin)
     const reason =
-      limbs.length > 0 ? `joints move it: ${limbs.join(', ')}` : 'no joints of hands or a neck move it'
+      limbs.length > 0 ? `joints move it: ${limbs.join(', ')}` : 'no joints of a humanoid move it'
     return { ...candidate, limbs, fraction: Number.NaN, reason }
   })
 }

@@ -1,7 +1,9 @@
 import type { Document } from '@gltf-transform/core'
 import { FurrowError } from 'furrow'
+import type { ClothKind } from 'furrow/author'
 import { didYouMean } from 'furrow/internal'
 import { sourceOf } from '../gltf/document.ts'
+import { clothOf } from './cloth-kind.ts'
 import { allSurfaces, bestSkin, type FoundSkin, findSkin, type LimbSurface } from './find-skin.ts'
 import { type JudgedKind, judgeKind, type SurfaceKind } from './surface-kind.ts'
 
@@ -18,12 +20,14 @@ export interface SurfaceChoice {
   mesh?: string | undefined
   /** Kinds that the user stated, by name of a mesh or material. */
   kinds?: ReadonlyMap<string, SurfaceKind>
+  /** Kind of all cloth. Default: told by the names of materials and meshes. */
+  cloth?: ClothKind | undefined
   /** Returns whether the given material can show wrinkles. */
   isLit?: (material: number) => boolean
 }
 
 /**
- * Finds the surfaces of a character that get wrinkles: the face, which blendshapes move, and all skin that joints fold.
+ * Finds the surfaces of a character that get wrinkles: the face, which blendshapes move, and all skin and cloth that joints fold.
  *
  * @throws FurrowError if no surface can have wrinkles, or if `kinds` has an unknown name.
  */
@@ -31,7 +35,7 @@ export function findSurfaces(
   document: Document,
   path: string,
   who: string,
-  { mesh, kinds = new Map(), isLit = () => true }: SurfaceChoice,
+  { mesh, kinds = new Map(), cloth, isLit = () => true }: SurfaceChoice,
 ): FoundSurfaces {
   const all = allSurfaces(document, mesh).map((surface) => judged(document, surface, kinds))
   checkNames(kinds, all, who)
@@ -43,13 +47,22 @@ export function findSurfaces(
   const surfaces: FoundSkin[] = []
   if (face) surfaces.push(isFolding(judged(document, face, kinds)) ? face : withoutSkeleton(face))
   const others = all.filter(({ surface }) => !isSame(surface, face) && surface.limbs.length > 0)
-  for (const { surface, kind } of others) if (kind === 'skin') surfaces.push(surface)
+  for (const { surface, kind } of others) {
+    if (!isFoldedAs(kind, surface.limbs)) continue
+    surfaces.push(kind === 'skin' ? surface : { ...surface, cloth: cloth ?? clothOf(surface) })
+  }
   // `autoWrinkles` explains why blendshapes that move nothing give no wrinkles.
   if (surfaces.length === 0 && best && best.skin.targets.length > 0) surfaces.push(withoutSkeleton(best))
   const unknown = others.filter(({ kind }) => kind === undefined)
-  const cloth = others.filter(({ kind }) => kind === 'cloth')
-  if (surfaces.length === 0) throw nothingFound(document, path, who, mesh, unknown, cloth)
-  return { surfaces, notes: [...unknown.map(noteOf), ...clothNote(cloth)] }
+  const unfolded = others.filter(({ kind, surface }) => kind === 'cloth' && !isFoldedAs(kind, surface.limbs))
+  if (surfaces.length === 0) throw nothingFound(document, path, who, mesh, unknown, unfolded)
+  return { surfaces, notes: [...unknown.map(noteOf), ...clothNote(unfolded)] }
+}
+
+/** Returns whether joints of the given limbs fold a surface: skin at hands and necks, and cloth at elbows and knees. */
+export function isFoldedAs(kind: SurfaceKind | 'unknown' | undefined, limbs: readonly string[]): boolean {
+  const hinges = limbs.filter((limb) => /elbow|knee/.test(limb)).length
+  return (kind === 'skin' && limbs.length > hinges) || (kind === 'cloth' && hinges > 0)
 }
 
 interface JudgedSurface extends JudgedKind {
@@ -78,13 +91,13 @@ function isSame(a: FoundSkin, b: FoundSkin | undefined): boolean {
 }
 
 function noteOf({ surface: { meshName, materialName, limbs } }: JudgedSurface): string {
-  return `mesh "${meshName}", material "${materialName}" (${limbs.join(', ')}) may be skin, cloth or hard, and gets no wrinkles: if it is skin, pass --kind "${meshName}=skin"`
+  return `mesh "${meshName}", material "${materialName}" (${limbs.join(', ')}) may be skin, cloth or hard, and gets no wrinkles: pass --kind "${meshName}=skin" or --kind "${meshName}=cloth"`
 }
 
 function clothNote(cloth: readonly JudgedSurface[]): string[] {
   if (cloth.length === 0) return []
   const names = cloth.map(({ surface }) => `"${surface.meshName}"`).join(', ')
-  return [`cloth gets no folds in this version: ${names}`]
+  return [`cloth folds at elbows and knees only, so it gets no folds: ${names}`]
 }
 
 function nothingFound(
@@ -103,9 +116,9 @@ function nothingFound(
   const aside = judged.length > 0 ? ` (${judged[0]})` : ''
   return new FurrowError({
     who,
-    problem: `no blendshapes, and no skin with hands or a neck that joints move, in ${path}${aside}`,
+    problem: `no blendshapes, and no skin or cloth that joints of a humanoid move, in ${path}${aside}`,
     remedy: unknown
-      ? `if it is skin, pass --kind "${unknown.surface.meshName}=skin"`
+      ? `pass --kind "${unknown.surface.meshName}=skin" or --kind "${unknown.surface.meshName}=cloth"`
       : 'export the face with its blendshapes, or the body with its skeleton',
   })
 }

@@ -2,6 +2,7 @@ import type { Document } from '@gltf-transform/core'
 import type { Glb } from '../gltf/glb.ts'
 import { targetNamesOf } from '../json/gltf-json.ts'
 import { allSurfaces, bestSkin, type FoundSkin } from '../mesh/find-skin.ts'
+import { isFoldedAs } from '../mesh/find-surfaces.ts'
 import { judgeKind, type SurfaceKind } from '../mesh/surface-kind.ts'
 import { inspectShapes, type ShapeReport } from './inspect-shapes.ts'
 
@@ -20,7 +21,7 @@ export interface SurfaceReport {
   kind: SurfaceKind | 'unknown'
   /** Why the surface is of this kind: a clause. */
   why: string
-  /** Hands and neck that joints of the surface move. */
+  /** Limbs that joints of the surface move, such as `left hand` and `left elbow`. */
   limbs: readonly string[]
 }
 
@@ -32,7 +33,7 @@ export interface PlainInspection {
   skin?: { mesh: string; material: string; reason: string }
   /** Recognised blendshapes of `skin`. Empty without `skin`. */
   shapes: ShapeReport[]
-  /** Whether `furrow auto` can generate wrinkles: whether blendshapes move `skin`, or joints of hands or a neck move a surface of skin. */
+  /** Whether `furrow auto` can generate wrinkles: whether blendshapes move `skin`, or joints of a humanoid fold skin or cloth. */
   auto: boolean
   /** Suggestion for the user: the next command or step. */
   next: string
@@ -71,9 +72,8 @@ export function inspectPlain(
   return { report, ...(skin && { skin }) }
 }
 
-/** Returns whether joints fold a surface of skin. */
 function isFolded({ kind, limbs }: SurfaceReport): boolean {
-  return kind === 'skin' && limbs.length > 0
+  return isFoldedAs(kind, limbs)
 }
 
 function nextStep(
@@ -87,7 +87,7 @@ function nextStep(
   if (surfaces.some(isFolded)) return `generate wrinkles from its joints: ${command}`
   const unknown = surfaces.find(({ kind, limbs }) => kind === 'unknown' && limbs.length > 0)
   if (unknown)
-    return `if mesh "${unknown.mesh}" is skin, generate wrinkles from its joints: ${command} --kind ${quoted(`${unknown.mesh}=skin`)}`
+    return `if mesh "${unknown.mesh}" is skin, generate wrinkles from its joints: ${command} --kind ${quoted(`${unknown.mesh}=skin`)} (or cloth)`
   if (!skin) return 'no mesh has triangles with texture coordinates and a material: unwrap the face first'
   return 'no blendshape moves the skin: draw wrinkles (furrow strokes) or paint them over its UV layout (furrow uv)'
 }

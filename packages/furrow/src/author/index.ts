@@ -14,6 +14,7 @@ export {
   autoWrinkles,
   type JointArea,
 } from './auto/auto.ts'
+export { CLOTH_KINDS, type ClothKind } from './auto/cloth/cloth-kinds.ts'
 export { AUTO_DEFAULTS, type AutoOptions } from './auto/options.ts'
 export type { AutoLayer } from './auto/raster/draw-maps.ts'
 export { autoWrinkleSet } from './auto/wrinkle-set.ts'

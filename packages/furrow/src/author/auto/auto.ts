@@ -55,6 +55,8 @@ export interface AutoArea {
 export interface JointArea
   extends Pick<AutoArea, 'name' | 'layer' | 'weights' | 'compression' | 'error' | 'lines'> {
   drivers: readonly BoneDriver[]
+  /** Fraction of length that cloth loses, if its folds take up only `compression`. Neighbouring cloth and the body limit the folds. */
+  lost?: number
 }
 
 /** Wrinkles made from blendshapes and joints. */
@@ -130,14 +132,22 @@ export function autoWrinkles(
 
   // Each stage has a folder and uses the stages before it: surface -> strain -> lines -> fit -> raster -> blood, bulges, furrows.
   begin('face')
-  const prepared = prepareSkin(skin)
+  // Blendshapes do not fold cloth.
+  const prepared = prepareSkin(options.cloth === undefined ? skin : { ...skin, targets: [] })
   if (!prepared.face && options.regions) throw missingFaceError(options.regions)
   const seed = options.seed ?? (prepared.face ? faceSeed(prepared.face.landmarks) : 1)
   const unusual = prepared.face && !options.regions ? implausibleMeasures(prepared.face) : []
   const doubtful = new Set(unusual.flatMap(({ regions }) => regions))
   const wanted = regionsAt(options.age, settings.regions)
   const regions = wanted.filter((region) => !doubtful.has(region))
-  const lineSettings = { ...settings, seed, regions, ageFraction: (age - 20) / 60, maxAreas }
+  const lineSettings = {
+    ...settings,
+    cloth: options.cloth,
+    seed,
+    regions,
+    ageFraction: (age - 20) / 60,
+    maxAreas,
+  }
   const lineProgress = begin('lines')
   // The strain is not stored in a variable, so that its large arrays can be freed once the lines are laid.
   const creased = layLines(
@@ -203,7 +213,11 @@ export function autoWrinkles(
       driver: fit.driver,
       ageing: ageDriver(fit.region, options.age),
     })),
-    jointAreas: jointed.map((fold, i) => ({ ...areaOf(fold, first + i), drivers: fold.drivers })),
+    jointAreas: jointed.map((fold, i) => ({
+      ...areaOf(fold, first + i),
+      drivers: fold.drivers,
+      ...(fold.lost !== undefined && { lost: fold.lost }),
+    })),
     scale,
     seed,
     missing: [
@@ -249,7 +263,7 @@ export function strokesOf({
 
 function emptyReasonOf({ isUnknownHead, names }: PreparedSkin, isTooYoung: boolean): string {
   if (isTooYoung) return `the chosen regions only bulge above the age of ${BULGES_FROM} years`
-  if (names.length === 0) return 'no joint folds skin of a hand or a neck'
+  if (names.length === 0) return 'no joint of a hand, a neck, an elbow or a knee folds the surface'
   return isUnknownHead
     ? 'the mesh looks like a head, but no blendshapes show where its eyes and mouth are (blinks and smiles would)'
     : 'no blendshape compresses the skin enough to crease it'

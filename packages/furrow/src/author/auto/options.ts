@@ -3,6 +3,7 @@ import { MAX_IMAGE_SIDE, MAX_LAYERS } from '../../core/limits.ts'
 import { checkOptionNames, didYouMean } from '../../core/nearest-name.ts'
 import type { TangentFrame } from '../normals/height-to-normal.ts'
 import { AUTO_REGIONS, type AutoRegion } from './anatomy/region-names.ts'
+import { CLOTH_KINDS, type ClothKind } from './cloth/cloth-kinds.ts'
 
 /** Options of `autoWrinkles`; `AUTO_DEFAULTS` has the constant defaults. */
 export interface AutoOptions {
@@ -34,6 +35,8 @@ export interface AutoOptions {
   regions?: readonly AutoRegion[]
   /** Whether to add a layer with a pattern of fine furrows to a face. Furrows narrower than two texels are skipped. */
   furrows?: boolean
+  /** Kind of cloth, if the surface is cloth. Joints then fold it, and blendshapes do not. Default: the surface is skin. */
+  cloth?: ClothKind
   /** Tangent frame of the normal maps; see `TangentFrame`. */
   frame?: TangentFrame
 }
@@ -75,11 +78,13 @@ const FRACTIONS: readonly string[] = ['age', 'strength', 'symmetry']
  * @throws FurrowError for the first option that is unknown or out of range.
  */
 export function checkAutoOptions(options: AutoOptions, who: string): void {
-  checkOptionNames(options, [...Object.keys(AUTO_DEFAULTS), 'seed'], who)
+  checkOptionNames(options, [...Object.keys(AUTO_DEFAULTS), 'seed', 'cloth'], who)
   for (const [name, range] of Object.entries(RANGES)) {
     const value = options[name as keyof typeof RANGES]
     if (value !== undefined) checkNumber(value, name, range, who)
   }
+  if (options.cloth !== undefined && !CLOTH_KINDS.includes(options.cloth))
+    throw unknownCloth(options.cloth, who)
   for (const [region, seed] of Object.entries(options.seeds ?? {})) {
     checkRegion(region, who)
     checkNumber(seed, 'seed', RANGES.seed, who)
@@ -116,5 +121,16 @@ function checkRegion(region: string, who: string): void {
     value: region,
     limit: AUTO_REGIONS.join(', '),
     remedy: didYouMean(region, AUTO_REGIONS, 'name one of them'),
+  })
+}
+
+function unknownCloth(cloth: string, who: string): FurrowError {
+  return new FurrowError({
+    code: 'unknown-name',
+    who,
+    problem: 'unknown kind of cloth',
+    value: cloth,
+    limit: CLOTH_KINDS.join(', '),
+    remedy: didYouMean(cloth, CLOTH_KINDS, 'name one of them'),
   })
 }

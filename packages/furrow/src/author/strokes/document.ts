@@ -28,12 +28,12 @@ export interface Stroke {
   /** [u, v], both 0..1, v = 0 at the top. */
   points: Uv[]
   /**
-   * Width of the valley or bulge on the skin in millimetres, 0.1..50. A bulge ends at half this width from the centre line. At the same
+   * Width of the valley or bulge on the skin in millimetres, 0.1..80. A bulge ends at half this width from the centre line. At the same
    * distance, a valley with `shoulder` 1 and the default `bank` has risen to the height of the surrounding skin.
    */
   width: number
   /**
-   * Maximum depth of the valley below the skin in millimetres, -10..10. A negative depth is the height of a bulge, which has no valley and no
+   * Maximum depth of the valley below the skin in millimetres, -25..10. A negative depth is the height of a bulge, which has no valley and no
    * banks: `shoulder`, `bank` and `softness` do not apply.
    */
   depth: number
@@ -157,8 +157,8 @@ function readStroke(read: JsonReader, json: unknown, index: number): Stroke {
   const stroke: Stroke = {
     curve,
     points,
-    width: read.number(field.width, `${path}.width`, 0.1, 50, 'mm'),
-    depth: read.number(field.depth, `${path}.depth`, -10, 10, 'mm'),
+    width: read.number(field.width, `${path}.width`, 0.1, 80, 'mm'),
+    depth: read.number(field.depth, `${path}.depth`, -25, 10, 'mm'),
     taper: read.pair(orDefault(field.taper, STROKE_DEFAULTS.taper), `${path}.taper`, 0, 1),
     shoulder: read.pair(orDefault(field.shoulder, STROKE_DEFAULTS.shoulder), `${path}.shoulder`, 0, 1),
     softness: read.number(orDefault(field.softness, STROKE_DEFAULTS.softness), `${path}.softness`, 0, 1, ''),

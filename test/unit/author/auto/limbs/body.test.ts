@@ -10,10 +10,10 @@ const VARIANTS: [string, SkeletonOptions][] = [
 ]
 
 describe.each(Object.entries(RIGS))('a skeleton of %s', (_, rig) => {
-  it.each(VARIANTS)('%s has two hands and a neck', (_, options) => {
+  it.each(VARIANTS)('%s has two hands, a neck, two elbows and two knees', (_, options) => {
     const skeleton = skeletonOf(rig, options)
     const nameOf = (joint: number) => skeleton.joints[joint]!.name
-    const { hands, neck } = findBody(skeleton)
+    const { hands, neck, limbs } = findBody(skeleton)
     expect(hands.map(({ side }) => side)).toEqual(['left', 'right'])
     for (const { side, wrist, fingers } of hands) {
       expect(nameOf(wrist)).toBe(rig.name('hand', side!))
@@ -23,6 +23,24 @@ describe.each(Object.entries(RIGS))('a skeleton of %s', (_, rig) => {
     }
     expect(neck!.chain.map(nameOf)).toEqual([rig.name('neck', ''), rig.name('head', '')])
     expect(nameOf(neck!.base)).toBe(rig.name('chest', ''))
+    expect(
+      limbs.map(({ kind, start, hinge, end, ...limb }) => ({
+        kind,
+        side: limb.side,
+        joints: [start, hinge, end!].map(nameOf),
+      })),
+    ).toEqual(
+      (['elbow', 'knee'] as const).flatMap((kind) =>
+        (['left', 'right'] as const).map((side) => ({
+          kind,
+          side,
+          joints: (kind === 'elbow'
+            ? ['upperArm', 'lowerArm', 'hand']
+            : ['upperLeg', 'lowerLeg', 'foot']
+          ).map((part) => rig.name(part, side)),
+        })),
+      ),
+    )
   })
 })
 
@@ -56,5 +74,6 @@ it('a skeleton of a table has no hands and no neck', () => {
   expect(findBody({ joints, influences: 1, indices, weights: indices.map(() => 1) })).toEqual({
     hands: [],
     neck: undefined,
+    limbs: [],
   })
 })

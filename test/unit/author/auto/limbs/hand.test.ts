@@ -139,7 +139,7 @@ describe('a skeleton that is not usual', () => {
       indices: new Uint16Array(skin.skeleton!.indices.length),
     }
     expect(autoWrinkles({ ...skin, skeleton: root }, SETTINGS).emptyReason).toBe(
-      'no joint folds skin of a hand or a neck',
+      'no joint of a hand, a neck, an elbow or a knee folds the surface',
     )
   })
 })

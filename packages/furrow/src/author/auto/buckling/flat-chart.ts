@@ -34,7 +34,21 @@ export function flatChart(
   isInside: (point: number) => boolean,
   initial: (point: number) => readonly [x: number, y: number],
 ): FlatChart | undefined {
-  const triangles = largestPart(surface, isInside)
+  const chart = placedChart(surface, largestPart(surface, isInside), initial)
+  return chart && { ...chart, flat: flatten(surface.points, chart.points, chart.corners, chart.flat) }
+}
+
+/**
+ * Lays triangles of a surface out in a plane, without flattening them.
+ *
+ * @param place returns the flat position of a point.
+ * @returns undefined if there are no triangles.
+ */
+export function placedChart(
+  surface: SkinSurface,
+  triangles: Uint32Array,
+  place: (point: number) => readonly [x: number, y: number],
+): FlatChart | undefined {
   if (triangles.length === 0) return undefined
   const indexOf = new Int32Array(surface.skinTriangles.length).fill(-1)
   const pointIndex = new Map<number, number>()
@@ -48,8 +62,7 @@ export function flatChart(
     }
   }
   const points = Uint32Array.from(pointIndex.keys())
-  const start = Float64Array.from([...points].flatMap((point) => [...initial(point)]))
-  const flat = flatten(surface.points, points, corners, start)
+  const flat = Float64Array.from([...points].flatMap((point) => [...place(point)]))
   return { surface, points, triangles, indexOf, corners, flat }
 }
 

@@ -81,14 +81,15 @@ export function sampleValues(
  * Samples a tensor field of the surface in the axes of the chart.
  *
  * @param tensors result of `compressionTensors` for the surface.
+ * @param axes directions of the axes, see `chartAxes`.
  * @returns components xx, xy and yy; 0 outside the chart.
  */
 export function sampleTensors(
   samples: ChartSamples,
   tensors: Float64Array,
+  axes = chartAxes(samples.chart),
 ): [xx: Float64Array, xy: Float64Array, yy: Float64Array] {
   const { chart } = samples
-  const axes = chartAxes(chart)
   const parts = [0, 1, 2].map(() => new Float64Array(chart.points.length))
   for (const [i, point] of chart.points.entries()) {
     const tensor = tensors.subarray(TENSOR_SIZE * point, TENSOR_SIZE * (point + 1))

@@ -1,9 +1,11 @@
 import type { BoneDriver } from '../../../drivers/bone/definition.ts'
 import { length } from '../../../math/vector.ts'
+import type { ClothKind } from '../cloth/cloth-kinds.ts'
+import { hingeRegions } from '../cloth/hinge-regions.ts'
 import { makeGauge, measureCompression, vectorsAcross } from '../fit/gauge.ts'
 import { type CreasedRegion, creaseLines, type LineSettings } from '../lines/crease.ts'
 import { findBody } from '../skeleton/body.ts'
-import type { HandJoints, NeckJoints } from '../skeleton/humanoid.ts'
+import type { HandJoints, HingedLimb, NeckJoints } from '../skeleton/humanoid.ts'
 import type { PreparedSkin } from '../surface/prepare-skin.ts'
 import { type HandFrame, handFrame } from './hand-frame.ts'
 import { handRegions } from './hand-regions.ts'
@@ -12,7 +14,7 @@ import { type Knuckles, knucklesOf } from './knuckles.ts'
 import { type LimbSkin, limbSkin } from './limb-skin.ts'
 import { neckRegions } from './neck-regions.ts'
 import { widened } from './observed.ts'
-import type { RegionPlan } from './region-plan.ts'
+import type { RegionPlan, SkinPlan } from './region-plan.ts'
 import { type TurnedSkin, turnDisplacements, turnSkin, turnTensors } from './turn.ts'
 import { wristRegions } from './wrist-regions.ts'
 
@@ -21,6 +23,12 @@ export interface JointRegion extends CreasedRegion {
   drivers: BoneDriver[]
   /** Root mean square error of the activation over the range of the joint, 0..1. */
   error: number
+}
+
+/** Settings of skin or cloth that joints fold. */
+export interface JointSettings extends LineSettings {
+  /** Kind of cloth; undefined for skin. */
+  cloth?: ClothKind | undefined
 }
 
 /** Wrinkles of skin that joints fold. */
@@ -42,7 +50,7 @@ const FRACTIONS = [0.125, 0.25, 0.5, 0.75, 1]
  */
 export function creaseJoints(
   prepared: PreparedSkin,
-  settings: LineSettings,
+  settings: JointSettings,
   maxAreas: number,
   report: (fraction: number) => void = () => {},
 ): JointWrinkles {
@@ -58,11 +66,9 @@ export function creaseJoints(
   const regions = plans.flatMap((plan, i) => {
     report(i / plans.length)
     const { turned, tensors } = strain.of(plan)
-    const lines = plan.lay(tensors)
-    if (lines.length === 0) return []
+    const creased = plan.crease(tensors)
+    if (!creased || creased.creases.length === 0) return []
     const region = { ...plan, cause: {}, isOffHead: true }
-    const creased = creaseLines(prepared, region, lines, settings)
-    if (creased.creases.length === 0) return []
     const drivers = plan.links.map((link) => jointDriver(limb, plan.name, link))
     return [{ region, ...creased, drivers, error: errorOf(limb, turned, plan, creased) }]
   })
@@ -93,15 +99,16 @@ function shareSides(limb: LimbSkin, plans: readonly RegionPlan[], regions: reado
 interface Limbs {
   hands: { hand: HandJoints; frame: HandFrame }[]
   neck: NeckJoints | undefined
+  limbs: readonly HingedLimb[]
 }
 
 function limbsIn(limb: LimbSkin): Limbs {
-  const { hands, neck } = findBody(limb.skeleton)
+  const { hands, neck, limbs } = findBody(limb.skeleton)
   const framed = hands.flatMap((hand) => {
     const frame = handFrame(limb, hand)
     return frame ? [{ hand, frame }] : []
   })
-  return { hands: framed, neck }
+  return { hands: framed, neck, limbs }
 }
 
 /** Drops links to joints whose rotation cannot be measured, because their matrix has no volume. */
@@ -132,25 +139,34 @@ class StrainCache {
     this.#runs = runs
   }
 
-  of({ turn, looseness }: RegionPlan): { turned: TurnedSkin; tensors: Float64Array } {
+  of({ turn, looseness, strained = 1 }: RegionPlan): { turned: TurnedSkin; tensors: Float64Array } {
     const before = this.#turned
     const isKnown = before && this.#looseness === looseness && `${before.turn.joints}` === `${turn.joints}`
     const isSameTurn = isKnown && `${before.turn.axis} ${before.turn.full}` === `${turn.axis} ${turn.full}`
     const turned = isKnown ? { ...before, turn } : turnSkin(this.#limb, turn, looseness, this.#runs)
     if (!this.#tensors || !isSameTurn)
-      this.#tensors = turnTensors(this.#limb, turned, 1, SMOOTHING * looseness, this.#runs)
+      this.#tensors = turnTensors(this.#limb, turned, strained, SMOOTHING * looseness, this.#runs)
     this.#turned = turned
     this.#looseness = looseness
     return { turned, tensors: this.#tensors }
   }
 }
 
-function plansOf(limb: LimbSkin, { hands, neck }: Limbs, settings: LineSettings): RegionPlan[] {
+function plansOf(limb: LimbSkin, { hands, neck, limbs }: Limbs, settings: JointSettings): RegionPlan[] {
+  const { cloth, strength } = settings
+  if (cloth !== undefined) return hingeRegions(limb, limbs, { seed: settings.seed, strength, cloth })
   const ofHands = hands.flatMap(({ hand, frame }) => {
     const own = [...handRegions(limb, hand, frame, settings), ...wristRegions(limb, hand, frame, settings)]
     return own.map((plan, i) => ({ ...plan, pair: `${own.length} ${i}` }))
   })
-  return [...ofHands, ...(neck ? neckRegions(limb, neck, settings) : [])]
+  const ofSkin: SkinPlan[] = [...ofHands, ...(neck ? neckRegions(limb, neck, settings) : [])]
+  return ofSkin.map((plan) => ({
+    ...plan,
+    crease: (tensors) => {
+      const lines = plan.lay(tensors)
+      return lines.length === 0 ? undefined : creaseLines(limb.prepared, plan, lines, settings)
+    },
+  }))
 }
 
 function mostImportant(plans: readonly RegionPlan[], count: number): RegionPlan[] {

@@ -18,7 +18,7 @@ import {
 } from './hand-tables.ts'
 import { guideLayer, LimbChart, type LimbGuide } from './limb-chart.ts'
 import { type LimbSkin, pointWeights } from './limb-skin.ts'
-import type { JointLink, RegionPlan } from './region-plan.ts'
+import type { JointLink, SkinPlan } from './region-plan.ts'
 import { DEGREE } from './turn.ts'
 
 /** Activation of flexion creases on a straight finger: they are folds of the skin that never vanish. */
@@ -45,7 +45,7 @@ export function handRegions(
   hand: HandJoints,
   frame: HandFrame,
   settings: { seed: number; ageFraction: number },
-): RegionPlan[] {
+): SkinPlan[] {
   const rng = new Rng(settings.seed, `hand ${limb.skeleton.joints[hand.wrist].name}`)
   const bones = new Map(
     [...hand.fingers].map(([finger, joints]) => [finger, fingerBones(limb, frame, finger, joints)]),
@@ -63,11 +63,11 @@ function fingerRegions(
   bones: readonly FingerBone[],
   rng: Rng,
   { ageFraction }: { ageFraction: number },
-): RegionPlan[] {
+): SkinPlan[] {
   const { joints } = limb.skeleton
   const { surface } = limb.prepared
   const count = bones.length
-  return bones.flatMap((bone, i): RegionPlan[] => {
+  return bones.flatMap((bone, i): SkinPlan[] => {
     const fromTip = count - 1 - i
     const isThumb = finger === 'thumb'
     const [creases, range] = creasesOf(isThumb, fromTip)
@@ -83,7 +83,7 @@ function fingerRegions(
     const guides = arcGuides(inside, creases, size, rng)
     const shared = { spacing: 5 * size, reach: 3.2 * size, feather: 3.5 * size, looseness: 4 * size }
     const name = joints[bone.joint].name
-    const flexed: RegionPlan = {
+    const flexed: SkinPlan = {
       ...shared,
       name: `${name} flexion`,
       turn,
@@ -98,7 +98,7 @@ function fingerRegions(
       fromTip === 1 && !isThumb ? KNUCKLE_LINES.middle : fromTip === 0 ? KNUCKLE_LINES.last : undefined
     if (!lines) return [flexed]
     const back = cylinderChart(limb, frameOf(scale(bone.inside, -1)), isOn, size)
-    const straight: RegionPlan = {
+    const straight: SkinPlan = {
       ...shared,
       name: `${name} back`,
       turn,
@@ -138,7 +138,7 @@ function palmRegions(
   bones: ReadonlyMap<Finger, readonly FingerBone[]>,
   rng: Rng,
   { ageFraction }: { ageFraction: number },
-): RegionPlan[] {
+): SkinPlan[] {
   const { joints } = limb.skeleton
   const { surface } = limb.prepared
   const chart = palmChart(limb, hand, frame)
@@ -156,7 +156,7 @@ function palmRegions(
     { part: 'proximal', links: linksOf(['index', 'middle'], RANGES.base) },
     { part: 'thenar', links: hasRoot ? linksOf(['thumb'], RANGES.thumbRoot) : [] },
   ] as const
-  return parts.flatMap(({ part, links }): RegionPlan[] => {
+  return parts.flatMap(({ part, links }): SkinPlan[] => {
     if (links.length === 0) return []
     const own = PALM_CREASES[part].filter(({ depth }) => depth >= MAIN || rng.next() > LEFT_OUT)
     const guides = own.map((crease) => palmGuide(chart, crease, size, rng))

@@ -9,7 +9,7 @@ import type { NeckJoints } from '../skeleton/humanoid.ts'
 import { aroundLimb } from './limb-chart.ts'
 import { layLimbFilm } from './limb-film.ts'
 import { type LimbSkin, pointWeights } from './limb-skin.ts'
-import type { RegionPlan } from './region-plan.ts'
+import type { SkinPlan } from './region-plan.ts'
 import { DEGREE } from './turn.ts'
 
 /** Full angles in degrees (American Academy of Orthopaedic Surgeons 1965), limited to what skeletons show without collapsing. */
@@ -112,7 +112,7 @@ export function neckRegions(
   limb: LimbSkin,
   { base, chain }: NeckJoints,
   { seed, ageFraction }: { seed: number; ageFraction: number },
-): RegionPlan[] {
+): SkinPlan[] {
   const { joints } = limb.skeleton
   const { surface } = limb.prepared
   const { points, normals } = surface
@@ -141,7 +141,7 @@ export function neckRegions(
   const radii = skin.flatMap((found) => found?.radius ?? []).sort((a, b) => a - b)
   if (radii.length === 0) return []
   const radius = radii[Math.floor(radii.length / 2)]
-  return FOLDS.map((fold, i): RegionPlan => {
+  return FOLDS.map((fold, i): SkinPlan => {
     const [x, y, z] = fold.axis
     const axis: Vector = unit([0, 1, 2].map((k) => x * left[k] + y * up[k] + z * front[k]))
     const turn = { joints: chain.slice(-6), from: base, axis, full: fold.degrees * DEGREE }

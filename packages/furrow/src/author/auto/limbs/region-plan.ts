@@ -1,4 +1,5 @@
 import type { SkinRegion } from '../anatomy/region.ts'
+import type { RegionCreases } from '../lines/crease.ts'
 import type { LaidLine } from '../lines/laid-line.ts'
 import type { JointTurn } from './turn.ts'
 
@@ -17,12 +18,25 @@ export interface RegionPlan extends Omit<SkinRegion, 'cause'> {
   turn: JointTurn
   /** Standard deviation, in millimetres, of the diffusion of skin weights: half the radius of the limb. */
   looseness: number
+  /** Fraction of the full angle at which the strain is measured; default: 1. */
+  strained?: number
   /** Links to joints. The activations of several links add up. */
   links: readonly JointLink[]
   /** Name that the same region has on the other side of the body; undefined if there is none. */
   pair?: string
   /** Importance: regions with a lower one are dropped first if there are too many areas. */
   rank: number
+  /**
+   * Lays the lines and converts them to strokes.
+   *
+   * @param tensors result of `turnTensors` at the full angle.
+   * @returns undefined if there are none.
+   */
+  crease(tensors: Float64Array): RegionCreases | undefined
+}
+
+/** Part of skin, before its lines are laid and converted to strokes. */
+export interface SkinPlan extends Omit<RegionPlan, 'crease'> {
   /**
    * Lays the lines.
    *

@@ -8,7 +8,7 @@ import type { HandFrame } from './hand-frame.ts'
 import { WRIST_CREASES } from './hand-tables.ts'
 import { guideLayer } from './limb-chart.ts'
 import { type LimbSkin, pointWeights } from './limb-skin.ts'
-import type { RegionPlan } from './region-plan.ts'
+import type { SkinPlan } from './region-plan.ts'
 import { DEGREE } from './turn.ts'
 
 /** Activations at rest of the creases inside the wrist and on its back. */
@@ -22,7 +22,7 @@ export function wristRegions(
   { wrist }: HandJoints,
   frame: HandFrame,
   { seed, ageFraction }: { seed: number; ageFraction: number },
-): RegionPlan[] {
+): SkinPlan[] {
   const { joints } = limb.skeleton
   const { surface } = limb.prepared
   const from = joints[wrist].parent
@@ -33,7 +33,7 @@ export function wristRegions(
   const along = length(forearm) > 20 * size ? unit(forearm) : frame.y
   const palm = across(frame.z, along)
   const on = pointWeights(limb, subtreeOf(joints, from))
-  const region = (isInside: boolean): RegionPlan => {
+  const region = (isInside: boolean): SkinPlan => {
     const front: Vector = isInside ? palm : scale(palm, -1)
     const chart = cylinderChart(
       limb,

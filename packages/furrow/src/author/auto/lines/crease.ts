@@ -20,6 +20,8 @@ export interface RegionCreases {
   creases: readonly LaidStroke[]
   /** Fraction of length that the skin loses across the lines in the region's expression. Points with stretched skin are ignored. */
   compression: number
+  /** Fraction of length that cloth loses, if folds take up only a part of it. */
+  lost?: number
 }
 
 /** Region with its lines. Regions that share lines have the same arrays. */
@@ -132,7 +134,7 @@ function depthFactors(
 }
 
 /** Adds the normals of the skin to a line. */
-function foldOf({ points, triangles }: LaidLine, { surface }: StrokedSkin): SkinLine {
+export function foldOf({ points, triangles }: LaidLine, { surface }: StrokedSkin): SkinLine {
   const normals = new Float64Array(points.length)
   const [weights, normal] = [new Float64Array(3), new Float64Array(3)]
   for (const [i, triangle] of triangles.entries()) {
@@ -144,7 +146,7 @@ function foldOf({ points, triangles }: LaidLine, { surface }: StrokedSkin): Skin
 }
 
 /** Returns the parts of a line that are inside the texture and on drawn triangles. Parts do not fade where the line is cut. */
-function clipToDrawn(line: LaidLine, skin: StrokedSkin): LaidLine[] {
+export function clipToDrawn(line: LaidLine, skin: StrokedSkin): LaidLine[] {
   const { points, triangles, compressions, relativeDepths, style } = line
   const isDrawn = (i: number) =>
     skin.isDrawn(triangles[i]) && uvAt(line, i, skin).every((value) => value >= 0 && value <= 1)

@@ -22,6 +22,7 @@ const BLUNT = 0.85
  *
  * @param depth depth of the stroke in millimetres.
  * @param factors factors on the depth, one per point of the line.
+ * @param count number of depth factors of the stroke. Default: one per `FACTOR_SPACING`, if the points are `STEP` apart.
  * @param bank distances, in millimetres, from the line to the ends of its raised sides (banks). Undefined: derived from the width.
  */
 export function strokeOf(
@@ -30,15 +31,15 @@ export function strokeOf(
   factors: readonly number[],
   bank: readonly [left: number, right: number] | undefined,
   skin: StrokedSkin,
+  count = Math.round((line.triangles.length * STEP) / FACTOR_SPACING) + 1,
 ): Stroke {
   const { width, taper, shoulder, lean, softness } = line.style
-  const count = Math.max(2, Math.round((line.triangles.length * STEP) / FACTOR_SPACING) + 1)
   return {
     curve: 'spline',
     points: splineKnots(line.points, TOLERANCE).map((i) => uvAt(line, i, skin)),
     width: rounded(width, 1e3),
     depth: rounded(depth, 1e4),
-    depths: Array.from({ length: count }, (_, i) => rounded(sample(factors, i / (count - 1)), 1e3)),
+    depths: depthsOf(factors, Math.max(2, count)),
     taper: [rounded(BLUNT * taper[0], 1e3), rounded(BLUNT * taper[1], 1e3)],
     shoulder: [rounded(shoulder[0], 1e3), rounded(shoulder[1], 1e3)],
     ...(bank && { bank: [rounded(bank[0], 100), rounded(bank[1], 100)] }),
@@ -46,6 +47,10 @@ export function strokeOf(
     softness: rounded(softness, 1e3),
     waviness: 0,
   }
+}
+
+function depthsOf(factors: readonly number[], count: number): number[] {
+  return Array.from({ length: count }, (_, i) => rounded(sample(factors, i / (count - 1)), 1e3))
 }
 
 /** Returns the UV coordinates of a point of a line. They are rounded to about 1/2000 of a texel in maps of 1024 texels. */

@@ -10,13 +10,14 @@ import {
 } from './bone-names.ts'
 import { ancestorsOf, commonAncestor, movedSkin } from './hierarchy.ts'
 import type { Body, HandJoints, NeckJoints } from './humanoid.ts'
+import { findLimbs } from './limb-joints.ts'
 
 /** Minimum number of fingers of a hand. */
 const MIN_FINGERS = 3
 /** Maximum number of joints of a finger. Further joints at the base lie inside the palm. */
 const FINGER_JOINTS = 3
 
-/** Recognises hands and a neck by the names of the joints, or by the shape of the skeleton if the names are unknown. */
+/** Recognises hands, a neck, arms and legs by the names of the joints, or by the shape of the skeleton if the names are unknown. */
 export function findBody(skeleton: SkinSkeleton): Body {
   const names = skeleton.joints.map(({ name, humanBone }) => boneNameOf(humanBone ?? name))
   const isMoving = movedSkin(skeleton)
@@ -24,7 +25,7 @@ export function findBody(skeleton: SkinSkeleton): Body {
   const hands = named.length > 0 ? named : findHandsByShape(skeleton, isMoving)
   const isNamed = names.some((found) => found?.part === 'head' || found?.part === 'neck')
   const neck = isNamed ? neckByName(skeleton, names, isMoving) : findNeckByShape(skeleton, hands, isMoving)
-  return { hands, neck }
+  return { hands, neck, limbs: findLimbs(skeleton, names, isMoving) }
 }
 
 function handsByName(

@@ -1,5 +1,8 @@
 /** Part of a humanoid that a joint moves. */
-export type BodyPart = 'head' | 'neck' | 'hand' | Finger
+export type BodyPart = 'head' | 'neck' | 'hand' | 'upperArm' | 'thigh' | Hinge | Finger
+
+/** Joint that bends a limb: the joint of the forearm, or of the lower leg. */
+export type Hinge = 'elbow' | 'knee'
 
 export const FINGERS = ['thumb', 'index', 'middle', 'ring', 'little'] as const
 export type Finger = (typeof FINGERS)[number]
@@ -24,6 +27,10 @@ const PARTS: readonly (readonly [part: BodyPart, words: RegExp])[] = [
   ['ring', /^(hand|def|org|ccbase|bip)*ring(finger|$|proximal|intermediate|distal)/],
   ['little', /little|pinky|pinkie/],
   ['hand', /^(bip|ccbase|def|org)*(hand|wrist)$/],
+  ['upperArm', /^(bip|ccbase|def|org|mch)*(upperarm|arm)$/],
+  ['thigh', /^(bip|ccbase|def|org|mch)*(upperleg|upleg|thigh)$/],
+  ['elbow', /^(bip|ccbase|def|org|mch)*(lowerarm|forearm|elbow)$/],
+  ['knee', /^(bip|ccbase|def|org|mch)*(lowerleg|shin|calf|knee|leg)$/],
   ['neck', /^(bip|ccbase|def|org)*neck$/],
   ['head', /^(bip|ccbase|def|org)*head$/],
 ]

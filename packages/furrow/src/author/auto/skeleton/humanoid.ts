@@ -1,4 +1,4 @@
-import type { BodySide, Finger } from './bone-names.ts'
+import type { BodySide, Finger, Hinge } from './bone-names.ts'
 
 /** Joints of a hand that moves the skin. Values are indices into the skeleton's joints. */
 export interface HandJoints {
@@ -17,8 +17,20 @@ export interface NeckJoints {
   chain: readonly number[]
 }
 
+/** Joints of an arm or a leg that bends at a hinge. */
+export interface HingedLimb {
+  kind: Hinge
+  side: BodySide
+  /** First joint of the straight line of bones that ends at the hinge. */
+  start: number
+  hinge: number
+  /** Joint at the end of the lower half: the hand or the foot; undefined if the skeleton has none. */
+  end: number | undefined
+}
+
 /** Parts of a humanoid that the skeleton of a skin moves. */
 export interface Body {
   hands: readonly HandJoints[]
   neck: NeckJoints | undefined
+  limbs: readonly HingedLimb[]
 }

@@ -1,0 +1,1 @@
+"""Builds a clothed figure with joints."""

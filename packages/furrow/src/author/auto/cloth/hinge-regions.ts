@@ -1,0 +1,123 @@
+import { Rng } from '../../../math/rng.ts'
+import { clamp, smoothstep } from '../../../math/scalar.ts'
+import { vectorAt } from '../../../math/vector3.ts'
+import { type LimbSkin, pointWeights } from '../limbs/limb-skin.ts'
+import type { RegionPlan } from '../limbs/region-plan.ts'
+import { DEGREE } from '../limbs/turn.ts'
+import type { Hinge } from '../skeleton/bone-names.ts'
+import { subtreeOf } from '../skeleton/hierarchy.ts'
+import type { HingedLimb } from '../skeleton/humanoid.ts'
+import { clothCreases } from './cloth-creases.ts'
+import { buckleCloth } from './cloth-film.ts'
+import { CLOTHS, type ClothKind } from './cloth-kinds.ts'
+import { fitHeights } from './fit-heights.ts'
+import { aroundHinge, type Hinged, hingeOf } from './hinge.ts'
+import { crushMask, hemMask } from './masks.ts'
+import { traceRidges } from './ridges.ts'
+import { tensionLines } from './tension-lines.ts'
+
+/**
+ * Full angles in degrees. People flex elbows by 150 and knees by 135 degrees (American Academy of Orthopaedic Surgeons 1965). Beyond the
+ * angles here, both halves of a limb touch and hide further folds.
+ */
+const RANGES: Readonly<Record<Hinge, number>> = { elbow: 115, knee: 115 }
+/** Fraction of the full angle at which the strain is measured. At larger angles, the crook would pass through itself. */
+const STRAINED = 0.7
+/** Angle from the crook, in degrees, up to which the cloth folds completely, and at which the folds end: at the tip of the elbow. */
+const AROUND = [112, 166] as const
+/** Length of the folded part in radii of the tube, on both sides of the hinge. */
+const ALONG = [2.1, 3.2] as const
+/** Fraction of the upper and the lower half that may fold. */
+const HALVES = [0.72, 0.8] as const
+/** Spread of the folds from the crook: they lean away from the hinge towards the tip of the elbow or the front of the knee. */
+const FAN = 0.3
+/** Maximum height of a fold in wavelengths. Neighbouring cloth and the body limit it. */
+const MAX_HEIGHT = 0.3
+/** Share of a limb's own joints from which on cloth belongs to the limb. */
+const OWN = [0.35, 0.7] as const
+
+/** Returns the regions of cloth at elbows and knees. */
+export function hingeRegions(
+  limb: LimbSkin,
+  limbs: readonly HingedLimb[],
+  { seed, strength, cloth }: { seed: number; strength: number; cloth: ClothKind },
+): RegionPlan[] {
+  const hem = hemMask(limb.prepared.surface)
+  return limbs.flatMap((joints) => {
+    const hinged = hingeOf(limb, joints)
+    return hinged ? (regionOf(limb, hinged, hem, { seed, strength, cloth }) ?? []) : []
+  })
+}
+
+function regionOf(
+  limb: LimbSkin,
+  hinged: Hinged,
+  hem: (point: number) => number,
+  { seed, strength, cloth }: { seed: number; strength: number; cloth: ClothKind },
+): RegionPlan | undefined {
+  const { kind, start, hinge, axis, lengths } = hinged
+  const { surface } = limb.prepared
+  const { joints } = limb.skeleton
+  const on = pointWeights(limb, subtreeOf(joints, start))
+  const place = (point: number) => aroundHinge(hinged, vectorAt(surface.points, point))
+  const radii = Array.from(on, (weight, point) => ({ weight, ...place(point) }))
+    .filter(({ weight, along }) => weight > OWN[1] && Math.abs(along) < 0.35 * Math.min(...lengths))
+    .map(({ radius }) => radius)
+    .sort((a, b) => a - b)
+  if (radii.length === 0) return undefined
+  const radius = radii[radii.length >> 1]
+  const { looseness, wavelength } = CLOTHS[cloth]
+  const turn = { joints: [hinge], from: joints[hinge].parent, axis, full: RANGES[kind] * DEGREE }
+  const ends = [-HALVES[0] * lengths[0], HALVES[1] * lengths[1]]
+  const weight = (point: number) => {
+    if (on[point] < OWN[0]) return 0
+    const { angle, along, radius: away } = place(point)
+    if (along < ends[0] || along > ends[1] || away > 2.2 * radius) return 0
+    const far = Math.abs(along) / radius
+    return (
+      (1 - smoothstep((Math.abs(angle) / DEGREE - AROUND[0]) / (AROUND[1] - AROUND[0]))) *
+      (1 - smoothstep((far - ALONG[0]) / (ALONG[1] - ALONG[0]))) *
+      smoothstep((on[point] - OWN[0]) / (OWN[1] - OWN[0])) *
+      smoothstep((along - ends[0]) / wavelength) *
+      smoothstep((ends[1] - along) / wavelength) *
+      hem(point)
+    )
+  }
+  const crushed = crushMask(limb, turn, STRAINED)
+  const tube = {
+    place: (point: number) => {
+      const { angle, along } = place(point)
+      return [angle, along] as const
+    },
+    radius,
+    weight,
+    shown: (point: number) => crushed[point],
+    wavelength,
+    fan: (angle: number, along: number) =>
+      (-FAN * (along / radius) * smoothstep((Math.PI - Math.abs(angle)) / 0.8) * clamp(angle / 0.2, -1, 1)) /
+      (1 + FAN * Math.abs(angle)),
+    seed: new Rng(seed, `cloth ${joints[hinge].name}`).integer(),
+  }
+  return {
+    name: `${joints[hinge].name} flexion`,
+    turn,
+    spacing: wavelength,
+    creasedFraction: 1,
+    maxDepth: MAX_HEIGHT * wavelength,
+    reach: 0.55 * wavelength,
+    feather: 0.6 * wavelength,
+    looseness: looseness * radius,
+    strained: STRAINED,
+    links: [{ turn, rest: 0, full: 1 }],
+    pair: kind,
+    rank: 6,
+    crease: (tensors) => {
+      const buckled = buckleCloth(surface, tube, tensors)
+      if (!buckled) return undefined
+      const ridges = [...traceRidges(buckled, wavelength), ...tensionLines(buckled.samples, tube)]
+      const heights = fitHeights(buckled, ridges, { wavelength, limit: MAX_HEIGHT * wavelength })
+      const scaled = heights.map((own) => own.map((height) => strength * height))
+      return clothCreases(limb.prepared, { cloth: buckled, ridges, heights: scaled })
+    },
+  }
+}
