@@ -9,7 +9,7 @@ from pathlib import Path
 
 from builder.command import Job, run
 from builder.figure.clips import figure_clips
-from builder.figure.figure import clothes_of, follow_skeleton, hands_of, two_hands, two_hands_normal
+from builder.figure.figure import clothes_of, follow_skeleton, halved, hands_of, two_hands, two_hands_normal
 from builder.figure.skeleton import read_skeleton
 from builder.glb import Glb
 from builder.joints.hand import build_hand
@@ -19,7 +19,7 @@ from builder.joints.poses import hand_clip, neck_clips
 from builder.materials import figure_materials, hand_materials, materials
 from builder.person.face import STEPS, Face
 from builder.person.fields import occlusion
-from builder.person.skin_maps import encode
+from builder.person.skin_maps import encode, encode_palette
 from builder.raster import Atlas
 from builder.recipes import FIGURE, HAND, HUMAN
 from builder.tangents import tangents
@@ -96,13 +96,15 @@ def make_body(wheel, mesh, report):
     face.colour, face.pores, face.surface, face.specular = map(
         spread_map, (face.colour, face.pores, face.surface, face.specular)
     )
+    # The figure is seen from farther away than a face, so its fine furrows need fewer texels.
+    face.pores = halved(face.pores)
     images = face.images()
     report("hands")
     hands = hands_of(hand, rig)
     fields = HandFields(hand, Atlas(hand.part.uv, hand.part.triangles, MAP_SIZE), HAND["look"]["seed"])
     open_sky = fields.spread(occlusion(hand.part.positions, hand.part.normals, hand.part.positions))
     images["hand-colour"] = encode(two_hands(paint_hand(fields, open_sky, HAND["look"])), "jpeg")
-    images["hand-normal"] = encode(two_hands_normal(paint_hand_relief(fields, HAND["look"]["pores"])), "png")
+    images["hand-normal"] = encode_palette(halved(two_hands_normal(paint_hand_relief(fields, HAND["look"]["pores"]))))
     surface = two_hands(paint_hand_surface(fields, open_sky, HAND["look"]))
     images["hand-surface"] = encode(surface[::2, ::2], "jpeg", 82)
     for part in (neck.skin, hands):

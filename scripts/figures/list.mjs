@@ -34,6 +34,8 @@ const PANEL = { width: 900, height: 720, crop: { left: 220, top: 0, width: 680, 
  */
 const CHEEKS = { width: 1100, height: 1300, crop: { left: 300, top: 400, width: 500, height: 500 } }
 const HAND = { width: 900, height: 900, crop: { left: 190, top: 130, width: 490, height: 660 } }
+const AT_ELBOW = '&zoom=3.4&height=0.3&across=0.15&view=70'
+const AT_KNEE = '&zoom=2.6&height=-0.4&across=0.05&view=75'
 const FIST = { width: 1300, height: 1300, crop: { left: 440, top: 540, width: 460, height: 420 } }
 const NECK = { width: 900, height: 900, crop: { left: 270, top: 130, width: 450, height: 660 } }
 const BASIC_EXPRESSIONS = ['neutral', 'happiness', 'surprise', 'anger', 'sadness', 'fear', 'disgust']
@@ -124,6 +126,21 @@ export const FIGURES = {
       beginsRow: row > 0 && i === 0,
     })),
   ),
+  clothes: ['&smooth', ''].flatMap((end, row) =>
+    [
+      ...[0.5, 0.8, 1.4].map((time) => ({
+        ...PAGE,
+        page: `clothes.html?clip=reach&time=${time}${AT_ELBOW}`,
+      })),
+      ...[0.4, 0.75, 1.6].map((time) => ({ ...PAGE, page: `clothes.html?clip=sit&time=${time}${AT_KNEE}` })),
+      { ...PAGE, page: 'clothes.html?clip=walk&time=0.25&view=55' },
+    ].map((picture, i) => ({
+      ...picture,
+      page: picture.page + end,
+      scale: 0.6,
+      beginsRow: row > 0 && i === 0,
+    })),
+  ),
   knuckles: [
     { ...FIST, page: 'joints.html?fist=1&view=165&smooth' },
     { ...FIST, page: 'joints.html?fist=1&view=165' },
@@ -162,6 +179,7 @@ export const FORMATS = {
     [
       'guide',
       'body',
+      'clothes',
       'auto-human',
       'auto-scan',
       'blood',

@@ -10,7 +10,7 @@ const GUIDES = [
   group('Start', [{ text: 'Overview', link: '/overview' }, doc('Guide', 'guide'), doc('Studio', 'studio')]),
   group('Make wrinkles', [
     doc('From blendshapes', 'auto'),
-    doc('Hands and necks', 'body'),
+    doc('Hands, necks and clothes', 'body'),
     doc('In the page', 'auto-in-the-page'),
     doc('Characters and rigs', 'auto-formats'),
     doc('Recognised blendshapes', 'shapes'),

@@ -49,6 +49,14 @@ export const EXAMPLES: readonly Example[] = [
   { page: 'clip', query: '?time=1', atRest: { time: 0 }, region: BROWS },
   { page: 'clones', frame: WHOLE, atRest: { neutral: true }, region: WHOLE },
   {
+    page: 'clothes',
+    query: '?clip=sit&time=1.6&zoom=2.4&height=-0.35&across=0.2&view=75',
+    picture: '?clip=walk&time=0.25&view=55',
+    frame: { left: 0.2, top: 0.1, right: 0.8, bottom: 0.7 },
+    atRest: { folds: true },
+    region: { left: 0.3, top: 0.2, right: 0.7, bottom: 0.7 },
+  },
+  {
     page: 'crowd',
     query: '?count=6',
     picture: '?count=40',

@@ -8,7 +8,7 @@ import { Workshop } from '../cli/workshop.ts'
 
 const shop = new Workshop()
 
-describe.each(['human.glb', 'human-2.glb', 'hand.glb', 'neck.glb'])('the shipped %s', (file) => {
+describe.each(['human.glb', 'human-2.glb', 'hand.glb', 'neck.glb', 'body.glb'])('the shipped %s', (file) => {
   const path = fileURLToPath(new URL(`../../../faces/${file}`, import.meta.url))
 
   it('is valid without warnings', async () => {

@@ -19,8 +19,8 @@ const ROUNDS = 8
 const WINDOW = 8
 /** Length over which a free end of a fold fades out, in reaches, up to half of the fold. */
 const FADE = 3.2
-/** Compression from which on the arc length of the folds is compared with the lost length. */
-const COMPARED = 0.04
+/** Compressions from which on the arc length of the folds begins to count, and from which on it counts completely. */
+const COMPARED = [0.01, 0.07] as const
 /** Standard deviation, in wavelengths, of the Gaussian over which taken up and lost length are compared. */
 const LOCAL = 0.9
 /** Range of the factor by which one pass corrects heights, and number of passes. */
@@ -92,9 +92,10 @@ function lengthGains(
     }
   }
   const [got, lost] = [smoothed(taken), smoothed(wanted)]
-  return got.map((value, i) =>
-    lost[i] < COMPARED ? 1 : clamp(Math.sqrt(lost[i] / Math.max(value, 1e-4)), ...GAIN),
-  )
+  return got.map((value, i) => {
+    const gain = clamp(Math.sqrt(Math.max(0, lost[i]) / Math.max(value, 1e-4)), ...GAIN)
+    return lerp(1, gain, smoothstep((lost[i] - COMPARED[0]) / (COMPARED[1] - COMPARED[0])))
+  })
 }
 
 function footprintOf(samples: ChartSamples, { points, reach }: Ridge): Footprint {

@@ -44,7 +44,7 @@ const SMOOTHING = 0.35
 const FRACTIONS = [0.125, 0.25, 0.5, 0.75, 1]
 
 /**
- * Lays the wrinkle lines of skin that joints fold, on hands and necks.
+ * Lays the wrinkle lines of skin that joints fold, on hands and necks, or the folds of cloth, at elbows and knees.
  *
  * @param maxAreas maximum number of regions. The least important ones are dropped.
  */
