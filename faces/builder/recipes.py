@@ -166,7 +166,7 @@ FIGURE = {
     },
     "clothes": {
         "shirt-cotton": (0.33, 0.40, 0.46),
-        "trousers-denim": (0.045, 0.060, 0.095),
+        "trousers-denim": (0.105, 0.140, 0.205),
         "shoes": (0.030, 0.022, 0.018),
     },
 }

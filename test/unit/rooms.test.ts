@@ -103,6 +103,8 @@ const WITHIN = [
       'lines',
       'fit',
       'limbs',
+      'cloth',
+      'joints',
       'raster',
       'blood',
       'bulges',

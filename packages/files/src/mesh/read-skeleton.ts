@@ -1,4 +1,4 @@
-import type { Document, Mesh, Node, Primitive, Skin } from '@gltf-transform/core'
+import type { Accessor, Document, Mesh, Node, Primitive, Skin } from '@gltf-transform/core'
 import type { SkinJoint } from 'furrow/author'
 import type { PartInfluences } from 'furrow/internal'
 import { Matrix4, Quaternion } from 'three'
@@ -136,17 +136,49 @@ function animatedRotations(document: Document): Map<Node, number[][]> {
       const node = channel.getTargetNode()
       const sampler = channel.getSampler()
       const output = sampler?.getOutput()
-      if (!node || !sampler || !output || channel.getTargetPath() !== 'rotation') continue
-      // A cubic spline stores two tangents with each rotation.
-      const [step, first] = sampler.getInterpolation() === 'CUBICSPLINE' ? [3, 1] : [1, 0]
-      const keys = Math.floor(output.getCount() / step)
-      const every = Math.max(1, Math.ceil(keys / MAX_ROTATIONS))
-      const rotations = found.get(node) ?? []
-      for (let key = 0; key < keys; key += every) rotations.push(output.getElement(step * key + first, []))
-      found.set(node, rotations)
+      if (node && sampler && output && channel.getTargetPath() === 'rotation')
+        addRotations(found, node, output, sampler.getInterpolation())
     }
   }
+  for (const { node, output, interpolation } of pointedRotations(document))
+    addRotations(found, node, output, interpolation)
   return found
+}
+
+function addRotations(
+  found: Map<Node, number[][]>,
+  node: Node,
+  output: Accessor,
+  interpolation: string,
+): void {
+  // A cubic spline stores two tangents with each rotation.
+  const [step, first] = interpolation === 'CUBICSPLINE' ? [3, 1] : [1, 0]
+  const keys = Math.floor(output.getCount() / step)
+  const every = Math.max(1, Math.ceil(keys / MAX_ROTATIONS))
+  const rotations = found.get(node) ?? []
+  for (let key = 0; key < keys; key += every) rotations.push(output.getElement(step * key + first, []))
+  found.set(node, rotations)
+}
+
+/** Parts of an animation that `KHR_animation_pointer` uses. The JSON of files is not checked in detail. */
+interface PointedAnimation {
+  channels?: { sampler?: number; target?: { extensions?: Record<string, { pointer?: unknown }> } }[]
+  samplers?: { output?: number; interpolation?: string }[]
+}
+
+/** Lists the channels of animations that name the rotation of a node by a pointer. glTF-Transform does not read them. */
+function pointedRotations(document: Document): { node: Node; output: Accessor; interpolation: string }[] {
+  const [nodes, accessors] = [document.getRoot().listNodes(), document.getRoot().listAccessors()]
+  const { animations = [] } = sourceOf(document) as { animations?: PointedAnimation[] }
+  return animations.flatMap(({ channels = [], samplers = [] }) =>
+    channels.flatMap(({ sampler = -1, target }) => {
+      const pointer = target?.extensions?.KHR_animation_pointer?.pointer
+      const match = /^\/nodes\/(\d+)\/rotation$/.exec(String(pointer))
+      const node = nodes[Number(match?.[1] ?? -1)]
+      const { output = -1, interpolation = 'LINEAR' } = samplers[sampler] ?? {}
+      return node && accessors[output] ? [{ node, output: accessors[output], interpolation }] : []
+    }),
+  )
 }
 
 /** Returns rotations relative to the rest pose, packed. */
