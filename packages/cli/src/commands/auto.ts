@@ -9,11 +9,13 @@ import {
   documentOf,
   findSurfaces,
   jsonFile,
+  parsePoses,
   SURFACE_KINDS,
   type SurfaceKind,
   shadingOf,
+  withPoses,
 } from 'furrow-files'
-import { FACE_EXTENSIONS, readGlbFile } from 'furrow-files/node'
+import { FACE_EXTENSIONS, readGlbFile, readJson } from 'furrow-files/node'
 import { makeReport } from '../auto/report/make-report.ts'
 import { Steps } from '../auto/steps.ts'
 import { summaryLines, summaryOf } from '../auto/summary.ts'
@@ -50,6 +52,7 @@ interface Options {
   mesh?: string
   kind?: Map<string, SurfaceKind>
   cloth?: ClothKind
+  poses?: string
   layers?: number
   areas: number
   furrows?: boolean
@@ -100,6 +103,7 @@ export const autoCommand = createCommand('auto')
   .addOption(
     new Option('--cloth <kind>', 'how stiff all cloth is (default: told by names)').choices(CLOTH_KINDS),
   )
+  .option('--poses <file>', 'poses that joints reach besides those of animations (.json)')
   .option(
     '--layers <count>',
     `maximum number of layers, 1 to 4 (default: ${AUTO_DEFAULTS.layers}; with --ktx2: ${KTX2_LAYERS}, plus 1 with --furrows, plus 1 with --age over ${BULGES_FROM})`,
@@ -190,8 +194,12 @@ async function auto(face: string, options: Options): Promise<void> {
       ktx2,
       replace: options.replace ?? false,
     }
+    const { poses } = options
+    const posed = poses
+      ? withPoses(surfaces, parsePoses(await readJson(poses, WHO, 'the poses'), WHO), WHO)
+      : surfaces
     // Regions belong to faces.
-    const wanted = regions ? surfaces.slice(0, 1) : surfaces
+    const wanted = regions ? posed.slice(0, 1) : posed
     const { made, failed } = await wrinkleSurfaces(source, wanted, surfaceSettings, steps)
     if (made.length === 0) throw noWrinkles(failed[0].reason, failed[0].found.meshName)
     const [{ found, wrinkles }] = made
