@@ -34,8 +34,9 @@ const PANEL = { width: 900, height: 720, crop: { left: 220, top: 0, width: 680, 
  */
 const CHEEKS = { width: 1100, height: 1300, crop: { left: 300, top: 400, width: 500, height: 500 } }
 const HAND = { width: 900, height: 900, crop: { left: 190, top: 130, width: 490, height: 660 } }
-const AT_ELBOW = '&zoom=3.4&height=0.3&across=0.15&view=70'
-const AT_KNEE = '&zoom=2.6&height=-0.4&across=0.05&view=75'
+const CLOTHES = { width: 640, height: 900, crop: { left: 60, top: 40, width: 520, height: 640 } }
+const AT_ELBOW = '&zoom=2.6&height=0.27&across=-0.1&view=-60'
+const AT_KNEE = '&zoom=2.2&height=-0.42&across=-0.12&view=-70'
 const FIST = { width: 1300, height: 1300, crop: { left: 440, top: 540, width: 460, height: 420 } }
 const NECK = { width: 900, height: 900, crop: { left: 270, top: 130, width: 450, height: 660 } }
 const BASIC_EXPRESSIONS = ['neutral', 'happiness', 'surprise', 'anger', 'sadness', 'fear', 'disgust']
@@ -128,12 +129,15 @@ export const FIGURES = {
   ),
   clothes: ['&smooth', ''].flatMap((end, row) =>
     [
-      ...[0.5, 0.8, 1.4].map((time) => ({
-        ...PAGE,
+      ...[0.2, 0.55, 1.4].map((time) => ({
+        ...CLOTHES,
         page: `clothes.html?clip=reach&time=${time}${AT_ELBOW}`,
       })),
-      ...[0.4, 0.75, 1.6].map((time) => ({ ...PAGE, page: `clothes.html?clip=sit&time=${time}${AT_KNEE}` })),
-      { ...PAGE, page: 'clothes.html?clip=walk&time=0.25&view=55' },
+      ...[0.2, 0.65, 1.6].map((time) => ({
+        ...CLOTHES,
+        page: `clothes.html?clip=sit&time=${time}${AT_KNEE}`,
+      })),
+      { ...CLOTHES, page: 'clothes.html?clip=walk&time=0.25&view=-55' },
     ].map((picture, i) => ({
       ...picture,
       page: picture.page + end,

@@ -50,11 +50,11 @@ export const EXAMPLES: readonly Example[] = [
   { page: 'clones', frame: WHOLE, atRest: { neutral: true }, region: WHOLE },
   {
     page: 'clothes',
-    query: '?clip=sit&time=1.6&zoom=2.4&height=-0.35&across=0.2&view=75',
-    picture: '?clip=walk&time=0.25&view=55',
-    frame: { left: 0.2, top: 0.1, right: 0.8, bottom: 0.7 },
+    query: '?clip=sit&time=1.6&zoom=2.2&height=-0.4&across=-0.2&view=-70',
+    picture: '?clip=sit&time=1.6&zoom=1.2&height=-0.15&view=-65',
+    frame: WHOLE,
     atRest: { folds: true },
-    region: { left: 0.3, top: 0.2, right: 0.7, bottom: 0.7 },
+    region: WHOLE,
   },
   {
     page: 'crowd',

@@ -80,6 +80,7 @@ describe('an option', () => {
       'auto --size': '512 1024 2048 4096',
       'auto --seed': 'an integer from 0 to 2147483647',
       'auto --symmetry': 'a number from 0 to 1',
+      'auto --cloth': 'silk shirt denim leather',
       'auto --kind': 'MESH=KIND, with one of the kinds skin, cloth, hard',
       'auto --layers': 'an integer from 1 to 4',
       'auto --areas': 'an integer from 1 to 64',

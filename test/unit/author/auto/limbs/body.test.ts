@@ -77,3 +77,14 @@ it('a skeleton of a table has no hands and no neck', () => {
     limbs: [],
   })
 })
+
+it('a forearm in two parts without an upper arm has no elbow', () => {
+  const arm = ['lowerarm01.L', 'lowerarm02.L', 'wrist.L'].map((name, i) => ({
+    name,
+    parent: i - 1,
+    bind: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0.15 * i, 1, 0, 1],
+  }))
+  const indices = arm.map((_, i) => i)
+  const weights = indices.map(() => 1)
+  expect(findBody({ joints: arm, influences: 1, indices, weights }).limbs).toEqual([])
+})

@@ -20,7 +20,13 @@ export function findLimbs(
 ): HingedLimb[] {
   return (['elbow', 'knee'] as const).flatMap((kind) =>
     (['left', 'right', undefined] as const).flatMap((side) => {
-      const own = [...joints.keys()].filter((i) => names[i]?.part === kind && names[i]?.side === side)
+      // The first joint of a forearm in parts is the elbow.
+      const own = [...joints.keys()].filter(
+        (i) =>
+          names[i]?.part === kind &&
+          names[i]?.side === side &&
+          !ancestorsOf(joints, i).some((above) => names[above]?.part === kind),
+      )
       const limb = own
         .map((hinge) => limbAt(joints, kind, side, hinge, startOf(joints, names, kind, hinge)))
         .find((found) => found !== undefined)
