@@ -135,8 +135,8 @@ it('an unknown kind of cloth is an error that lists the kinds', () => {
 })
 
 /**
- * Integrates along the sleeve, over the front half of it where it folds: the length that the relief adds to cloth that is compressed by 15%, and the
- * length that this cloth loses.
+ * Integrates over the crook of the sleeve: the length that the relief adds to compressed cloth, and the length that the cloth loses. The cloth
+ * there loses more than folds take up, so the lost length is the limit.
  */
 function lengthsOf({ layers, jointAreas }: AutoWrinkles): { taken: number; lost: number } {
   const { width, height, data } = layers[0]!.heights
@@ -147,7 +147,7 @@ function lengthsOf({ layers, jointAreas }: AutoWrinkles): { taken: number; lost:
   // Texels within 40 degrees of the crook and 45 mm of the elbow lose more than the limit.
   const [middle, reach] = [0.25, 40 / 360]
   for (let y = Math.round((middle - reach) * height); y < (middle + reach) * height; y++) {
-    const centre = ((ELBOW_AT - 0) * 0.96 + 0.02) * width
+    const centre = (ELBOW_AT * 0.96 + 0.02) * width
     for (let x = Math.round(centre - 45 / step); x < centre + 45 / step; x++) {
       const i = y * width + x
       const along = (data[i + 1]! - data[i - 1]!) / (2 * step)

@@ -41,8 +41,10 @@ export function hingeOf(limb: LimbSkin, joints: HingedLimb): Hinged | undefined 
 }
 
 /**
- * Returns the position of a point on the cylinder around a limb, which bends at the hinge as in the bind pose: angle in radians from the crook,
- * counterclockwise about the direction to the hand or foot, distance from the hinge along the limb, and radius.
+ * Returns the position of a point on the cylinder around a limb, which bends at the hinge as in the bind pose.
+ *
+ * @returns angle in radians from the crook, counterclockwise about the direction to the hand or foot; distance from the hinge along the limb;
+ *   radius.
  */
 export function aroundHinge(
   { place, axis, halves: [upper, lower], lengths }: Pick<Hinged, 'place' | 'axis' | 'halves' | 'lengths'>,
