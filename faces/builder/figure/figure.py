@@ -28,19 +28,20 @@ def hands_of(hand: Hand, rig: Rig) -> Part:
         np.concatenate([left.uv * [0.5, 1], [1, 0] + left.uv * [-0.5, 1]]),
         np.concatenate([left.triangles, left.triangles[:, ::-1] + count]),
     )
-    part.joints = np.concatenate([renumbered(left.joints, names, rig), renumbered(left.joints, names, rig, ".R")])
+    part.joints = np.concatenate([renumbered(left, names, rig), renumbered(left, names, rig, ".R")])
     part.weights = np.concatenate([left.weights, left.weights])
     return part
 
 
 def follow_skeleton(neck: Neck, rig: Rig) -> None:
     """Skins the head to the joints of the figure."""
-    neck.skin.joints = renumbered(neck.skin.joints, neck.rig.names, rig)
+    neck.skin.joints = renumbered(neck.skin, neck.rig.names, rig)
 
 
-def renumbered(joints: np.ndarray, names: list[str], rig: Rig, side: str = ".L") -> np.ndarray:
+def renumbered(part: Part, names: list[str], rig: Rig, side: str = ".L") -> np.ndarray:
+    """Returns the indices of a part's joints in the skeleton of the figure. Joints without weight get the index 0."""
     numbers = np.array([rig.names.index(name.replace(".L", side)) for name in names])
-    return numbers[joints]
+    return np.where(part.weights > 0, numbers[part.joints], 0)
 
 
 def halved(image: np.ndarray) -> np.ndarray:

@@ -61,6 +61,36 @@ export function sleeve({
   }
 }
 
+/** Returns a left and a right sleeve that share all texels. */
+export function bothSleeves(): Skin {
+  const { skeleton, ...left } = sleeve()
+  const { joints, influences, indices, weights } = skeleton!
+  const [count, row] = [left.positions.length / 3, joints.length - 1]
+  const other = (joint: number) => (joint === 0 ? 0 : joint + row)
+  const mirrored = joints.slice(1).map(({ name, parent, bind }) => ({
+    name: name.replace('Left', 'Right'),
+    parent: other(parent),
+    bind: Array.from(bind, (value, i) => (i === 12 ? -value : value)),
+  }))
+  // Mirroring reverses the order of corners.
+  const reversed = Array.from(left.indices, (_, i) => left.indices[i - (i % 3) + 2 - (i % 3)]! + count)
+  return {
+    positions: [
+      ...Array.from(left.positions),
+      ...Array.from(left.positions, (value, i) => (i % 3 === 0 ? -value : value)),
+    ],
+    uvs: [...Array.from(left.uvs), ...Array.from(left.uvs)],
+    indices: [...Array.from(left.indices), ...reversed],
+    targets: [],
+    skeleton: {
+      joints: [...joints, ...mirrored],
+      influences,
+      indices: [...Array.from(indices), ...Array.from(indices, other)],
+      weights: [...Array.from(weights), ...Array.from(weights)],
+    },
+  }
+}
+
 /** Gives the last vertex of each ring the position of the first one, so that they are merged. */
 function closed(positions: number[], row: number): number[] {
   for (let first = 0; first < positions.length; first += 3 * row)
