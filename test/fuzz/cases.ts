@@ -5,6 +5,7 @@ import { activationsCommand } from '../../packages/cli/src/commands/activations.
 import { arrayCommand } from '../../packages/cli/src/commands/array.ts'
 import { autoCommand } from '../../packages/cli/src/commands/auto.ts'
 import { bakeCommand } from '../../packages/cli/src/commands/bake.ts'
+import { importCommand } from '../../packages/cli/src/commands/import.ts'
 import { inspectCommand } from '../../packages/cli/src/commands/inspect.ts'
 import { normalsCommand } from '../../packages/cli/src/commands/normals.ts'
 import { packCommand } from '../../packages/cli/src/commands/pack.ts'
@@ -117,6 +118,29 @@ const CASES: Record<string, CaseMaker> = {
     const outputs = ['-o', folder.path('out.png'), '--height', folder.path('height.png')]
     const small = ['--size', '32', '--samples', '1']
     return runs(bakeCommand, ...(random.chance(0.5) ? files : files.reverse()), ...outputs, ...small)
+  },
+  import: (bases, random, folder) => {
+    const face = random.chance(0.4) ? damagedFace(bases, random, BARE) : bases.faces.get(random.pick(BARE))!
+    const [input, output] = [folder.write('face.glb', face), folder.path(random.pick(OUTPUTS))]
+    const normals = [...bases.folder].find(([path]) => path.endsWith('normal.png'))![1]
+    for (const [path, image] of [
+      ['neutral.png', bases.height],
+      ['happy.png', normals],
+      ['happy_baseColor.png', normals],
+    ] as const) {
+      folder.write(`scans/${path}`, random.chance(0.8) ? image : hostileImage(random, image))
+    }
+    const maps = {
+      neutral: { normal: 'neutral.png' },
+      expressions: [{ name: 'happy', at: 0.5, normal: 'happy.png' }],
+    }
+    if (random.chance(0.4))
+      folder.write('scans/expressions.json', damagedJson(Buffer.from(JSON.stringify(maps)), random))
+    const options = random.pick([[], ['--ktx2'], ['--size', '64'], ['--json']])
+    return {
+      ...runs(importCommand, folder.path('scans'), '--face', input, '-o', output, ...options),
+      faces: [{ output, input }],
+    }
   },
   inspect: (bases, random, folder) => {
     const face = writeDamaged(bases, random, folder, random.chance(0.7) ? PACKED : BARE)

@@ -116,6 +116,18 @@ it('a fifth overlapping expression loses where others are stronger, and the comm
   )
 })
 
+it('of the blendshapes of a preset, only those that move an area drive it', async () => {
+  const creases = { surprised: [{ u: 0.04, v: 0.04, radius: 0.12, slope: 0.4 }] }
+  writeAll('preset', await new ExpressionSourceFiles(SIZE, creases).files())
+  // The third blendshape moves the corner with the texture coordinates 0, 0.
+  tool.shop.write('corners.glb', await planeFace(['jawOpen', 'browOuterUpLeft', 'browInnerUp']))
+  await tool.run(tool.file('preset'), '--face', tool.file('corners.glb'), '-o', tool.file('preset.glb'))
+  const { drivers } = wrinklesIn(tool.file('preset.glb'))
+  expect(drivers.map(({ targets }: { targets: unknown }) => targets)).toEqual([
+    [{ name: 'browInnerUp', weight: 1 }],
+  ])
+})
+
 it('writes a folder that pack turns into the same wrinkles', async () => {
   await tool.run(tool.file('maps'), '--face', tool.file('face.glb'), '-o', tool.file('folder'))
   await tool.shop.run('pack', tool.file('folder'), '-o', tool.file('again.glb'))

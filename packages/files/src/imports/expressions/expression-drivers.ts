@@ -1,6 +1,6 @@
 import { EXPRESSIONS, type GrayImage, type WrinkleDriver } from 'furrow'
 import type { Skin } from 'furrow/author'
-import { targetFinder } from 'furrow/internal'
+import { repeat, targetFinder } from 'furrow/internal'
 import type { SourceExpression } from './read-expressions.ts'
 
 /** Names of expressions in capture sets, with the preset that has the same meaning. */
@@ -15,7 +15,7 @@ const PRESET_NAMES: Readonly<Record<string, string>> = {
 }
 
 /** A blendshape is part of the driver of an area if it moves the area by at least this fraction of what the strongest blendshape does. */
-const MIN_MOTION = 0.25
+const MIN_MOTION = 0.1
 
 /** How an expression is driven. */
 export interface ExpressionInput {
@@ -90,8 +90,8 @@ function movingTargets(
 function motionIn({ width, height, data }: GrayImage, { uvs }: Skin, offsets: ArrayLike<number>): number {
   let sum = 0
   for (let i = 0; i < uvs.length / 2; i++) {
-    const [column, row] = [uvs[2 * i] * width, uvs[2 * i + 1] * height].map(Math.floor)
-    if (column < 0 || row < 0 || column >= width || row >= height) continue
+    const column = Math.min(width - 1, Math.floor(repeat(uvs[2 * i]) * width))
+    const row = Math.min(height - 1, Math.floor(repeat(uvs[2 * i + 1]) * height))
     const squared = offsets[3 * i] ** 2 + offsets[3 * i + 1] ** 2 + offsets[3 * i + 2] ** 2
     sum += data[row * width + column] * Math.sqrt(squared)
   }
