@@ -163,7 +163,7 @@ async function expectCameraMoved(before: Buffer): Promise<void> {
 
 /** Returns the mean difference of two pictures of the stage, 0..255, in a square of 20 pixels at a point of the page. */
 async function differenceAt(a: Buffer, b: Buffer, { x, y }: { x: number; y: number }): Promise<number> {
-  const [left, top] = [x - corner.x, y - corner.y].map((at) => Math.round(at - 10))
+  const [left, top] = [x - corner.x, y - corner.y].map((at) => Math.round(at - 5))
   const rectangle = { left, top, width: 20, height: 20 }
   const [one, other] = await Promise.all([a, b].map((png) => sharp(png).extract(rectangle).png().toBuffer()))
   return meanPngDifference(one, other)

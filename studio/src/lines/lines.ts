@@ -125,6 +125,11 @@ export class Lines {
     if (hit) this.editor.movePoint(hit.uv)
   }
 
+  /** Returns a promise that settles when the skin is ready, or null if nothing is being prepared. */
+  preparation(): Promise<unknown> | null {
+    return this.#reading?.catch(() => {}) ?? null
+  }
+
   /** Returns the skin at a position on the stage, CSS pixels, or undefined. */
   pickAt(x: number, y: number): SkinHit | undefined {
     const camera = this.#parts.viewer.peek()?.stage.camera

@@ -37,7 +37,7 @@ export class FacePointer {
       pressed = null
       if (!start || event.pointerId !== start.pointerId) return
       if (Math.hypot(event.clientX - start.clientX, event.clientY - start.clientY) <= CLICK)
-        this.#click(event)
+        void this.#click(event)
     })
   }
 
@@ -52,14 +52,17 @@ export class FacePointer {
     else if (shown?.isOnFace) face.hovered.value = null
   }
 
-  #click({ clientX, clientY }: PointerEvent): void {
+  /** Chooses the region at the pointer. The first click on a face waits until its skin is ready. */
+  async #click({ clientX, clientY }: PointerEvent): Promise<void> {
     const { stage, session, areas, lines, edit } = this.#parts
     if (lines().editor.mode.peek() !== 'select') return
-    const document = session.document.peek()
-    if (!document) {
+    if (!session.document.peek()) {
       edit()
       return
     }
+    await lines().preparation()
+    const document = session.document.peek()
+    if (!document) return
     const { left, top } = stage.getBoundingClientRect()
     const hit = lines().pickAt(clientX - left, clientY - top)
     lines().editor.choose(null)

@@ -6,19 +6,21 @@ import { LineSection } from '../panels/line-section.tsx'
 import type { PanelModel } from '../panels/model.ts'
 import { RegionCard } from './region-card.tsx'
 import { type Selected, selectedIn } from './selected.ts'
+import { isSmallPage } from './small-page.ts'
 
 /** Cards over the stage: the main values of the selected region or line, and the region under the pointer. */
 export function Cards({ model }: { model: PanelModel }) {
   const { kind, name } = model.hovered.value ?? {}
   return (
     <>
-      <SelectionCard model={model} />
+      {!isSmallPage.value && <SelectionCard model={model} />}
       {kind === 'area' && name !== undefined && <Reasons area={name} model={model} />}
     </>
   )
 }
 
-function SelectionCard({ model }: { model: PanelModel }) {
+/** Card of the selected region or line. On small pages, where it would cover the face, the inspector contains it. */
+export function SelectionCard({ model }: { model: PanelModel }) {
   if (model.tools.mode.value === 'motion') return null
   const selected = selectedIn(model)
   if (selected.kind === 'region' && model.tools.mode.value === 'look')

@@ -13,7 +13,9 @@ import type { PanelModel } from '../panels/model.ts'
 import { BrushSettings } from '../panels/painting/painting.tsx'
 import { Shapes } from '../panels/shapes/shapes.tsx'
 import { Tabs } from '../ui/tabs.tsx'
+import { SelectionCard } from './cards.tsx'
 import { type Selected, selectedIn } from './selected.ts'
+import { isSmallPage } from './small-page.ts'
 
 type Tab = 'look' | 'when' | 'maps'
 
@@ -31,6 +33,7 @@ export function Inspector({ model }: { model: PanelModel }) {
   return (
     <>
       {tools.mode.value === 'paint' && <BrushSettings model={model} />}
+      {isSmallPage.value && <SelectionCard model={model} />}
       <Heading selected={selected} model={model} />
       <Tabs
         label={PLACES.inspector}

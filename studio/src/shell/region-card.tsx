@@ -23,7 +23,7 @@ export function RegionCard({ area: { name }, model }: { area: StudioArea; model:
           label={CARD.strength}
           range={[0.02, 1, 0.02]}
           value={strength}
-          onMove={(value) => edit(CARD.strength, (old) => setStrength(old, name, value))}
+          onMove={(value) => edit('Strength', (old) => setStrength(old, name, value))}
           onRest={() => session.settle()}
         />
       )}
@@ -32,7 +32,7 @@ export function RegionCard({ area: { name }, model }: { area: StudioArea; model:
           label={CARD.depth}
           range={[0.02, 3, 0.02]}
           value={depth}
-          onMove={(value) => edit(CARD.depth, (old) => setDepth(old, name, value))}
+          onMove={(value) => edit('Depth', (old) => setDepth(old, name, value))}
           onRest={() => session.settle()}
         />
       )}
