@@ -36,7 +36,11 @@ it('the strength of a region is the largest activation that its drivers give', (
 })
 
 it('the pointer is on the region with the greatest weight, and on blood only where nothing else is', () => {
-  const areas = [areaOf('chin', 'folds', 90), areaOf('cheek', 'folds', 120), areaOf('flushCheek', 'folds', 250)]
+  const areas = [
+    areaOf('chin', 'folds', 90),
+    areaOf('cheek', 'folds', 120),
+    areaOf('flushCheek', 'folds', 250),
+  ]
   expect(areaAt(areas, [0.5, 0.5])).toBe('cheek')
   expect(areaAt([areas[2]], [0.5, 0.5])).toBe('flushCheek')
   expect(areaAt([{ ...areas[0], weights: weightsOf(10) }], [0.5, 0.5])).toBeNull()
