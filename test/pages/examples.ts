@@ -53,7 +53,6 @@ export const EXAMPLES: readonly Example[] = [
     query: '?clip=sit&time=1.6&zoom=2.2&height=-0.4&across=-0.2&view=-70',
     picture: '?clip=sit&time=1.6&zoom=1.2&height=-0.15&view=-65',
     frame: WHOLE,
-    atRest: { folds: true },
     region: WHOLE,
   },
   {
