@@ -13,7 +13,7 @@ const GOLDEN_ANGLE = 2.4
 /** Maximum random distances from a dimple's regular place: along the circle, in radians, and from the centre, relative to the oval. */
 const SCATTER = [0.4, 0.07] as const
 /** Depth of a dimple (see `LineStyle.depth`) per millimetre of its width. */
-const STEEPNESS = 0.25
+const STEEPNESS = 0.21
 /** Half the width of the dimpled mound of the chin, relative to the distance of the corner of the mouth from the middle. */
 const MOUND_WIDTH = 0.78
 /** Distances, in millimetres, of the mound from the groove above the chin and from the edge below the chin. */
@@ -115,7 +115,7 @@ function dimples({ byAge }: FaceContext, rng: FaceRng, { centre, halfWidth, half
     const bend = rng.across(0.5) * halfLength
     const [dx, dy] = [halfLength * cos(direction), halfLength * sin(direction)]
     const [bx, by] = [-bend * sin(direction), bend * cos(direction)]
-    const width = rng.uniform(2.4, 5)
+    const width = rng.uniform(2.8, 6)
     // Few dimples are deep. Shallow ones show with age.
     const depth = rng.uniform(byAge(-0.4, 0.3), 1)
     return {

@@ -1,4 +1,4 @@
-import { lerp } from '../../../math/scalar.ts'
+import { clamp, lerp } from '../../../math/scalar.ts'
 import { length2 } from '../../../math/vector.ts'
 import { filmWavelength } from '../buckling/film.ts'
 import type { ChartPoint } from '../surface/head-chart.ts'
@@ -19,6 +19,9 @@ const TEMPLE_DISTANCE = 60
 const INSIDE = 6
 /** Distances from the corner, in millimetres. The compression fades in from the first to the second. */
 const START = [0, 4] as const
+/** Number of directions for which a reach of the fan is drawn, and range of the random factors on `reach`. */
+const REACHES = 7
+const REACH_VARIATION = [0.7, 1.2] as const
 /** Distance from the corner, in millimetres, beyond which the compression decreases. */
 const FAN_FULL = 18
 /** Directions of the lower and the upper edge of the fan, in degrees above the horizontal. */
@@ -44,6 +47,13 @@ export function crowsFeet(
   const centre = corner - INSIDE
   const fromCentre = ([across, height]: ChartPoint): ChartPoint => [side * across - centre, height - up]
   const reach = INSIDE + byAge(30, 52)
+  const reaches = Array.from({ length: REACHES }, () => reach * rng.uniform(...REACH_VARIATION))
+  /** Returns the reach in a direction, in degrees above the horizontal. */
+  const reachAt = (rise: number) => {
+    const place = clamp((rise - FAN[0]) / (FAN[1] - FAN[0]), 0, 1) * (REACHES - 1)
+    const i = Math.min(Math.floor(place), REACHES - 2)
+    return lerp(reaches[i], reaches[i + 1], place - i)
+  }
   const film: SkinFilm = {
     centre: [side * centre, up],
     isFlattened: (point) => {
@@ -59,7 +69,7 @@ export function crowsFeet(
       const rise = degreesOf(out, high)
       return (
         fade(distance - INSIDE, ...START) *
-        fade(distance, reach, INSIDE + FAN_FULL) *
+        fade(distance, reachAt(rise), INSIDE + FAN_FULL) *
         fade(rise, FAN[1] + FAN_FADE / 2, FAN[1] - FAN_FADE / 2) *
         fade(rise, FAN[0] - FAN_FADE / 2, FAN[0] + FAN_FADE / 2)
       )
@@ -72,11 +82,11 @@ export function crowsFeet(
     variation: { thickness: 0.16, critical: 0.3, size: 5 },
     noise: rng.film(),
     style: {
-      width: byAge(1.35, 1.5),
+      width: byAge(1.45, 1.7),
       depth: 1,
-      taper: [0.15, 0.3],
+      taper: [0.2, 0.6],
       shoulder: [1, 1],
-      softness: byAge(0.7, 0.55),
+      softness: byAge(0.8, 0.7),
     },
   }
   return {

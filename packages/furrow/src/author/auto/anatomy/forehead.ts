@@ -79,9 +79,9 @@ export function forehead({ landmarks, ageFraction, byAge, rngOf }: FaceContext):
     style: {
       width: byAge(2.8, 3.5),
       depth: 1,
-      taper: [0.12, 0.12],
+      taper: [0.35, 0.35],
       shoulder: [1, 1],
-      softness: byAge(0.55, 0.4),
+      softness: byAge(0.65, 0.5),
     },
   }
   const region = (side: Side, sideName: string, half: 'Inner' | 'Outer'): FaceRegion => ({

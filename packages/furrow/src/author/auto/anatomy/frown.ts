@@ -45,35 +45,35 @@ function glabella(
     ),
     width,
     depth,
-    taper: [0.45, 0.5],
+    taper: [0.5, 0.5],
     shoulder: [1, 1],
-    softness: byAge(0.85, 0.75),
+    softness: byAge(0.9, 0.8),
   })
   const main = inner * rng.uniform(0.42, 0.6)
-  const extent = [rng.uniform(-9, -5), rng.uniform(8, 14)] as const
-  const guides = [line(main, extent, rng.uniform(1.5, 4), byAge(3, 4), rng.uniform(0.95, 1))]
+  const extent = [rng.uniform(-12, -7), rng.uniform(13, 20)] as const
+  const guides = [line(main, extent, rng.uniform(1.5, 4), byAge(4, 5.4), rng.uniform(0.95, 1))]
   // The corrugator folds the skin outside its main line again. Few people have a line between the two main lines.
   const beside = main + rng.uniform(4, 5.5)
   if (ageFraction > rng.uniform(0.1, 0.5))
     guides.push(
       line(
         beside,
-        [-3, rng.uniform(5, 13)],
+        [-6, rng.uniform(7, 14)],
         rng.uniform(0.5, 3),
-        2.6,
+        3.6,
         byAge(0.35, 0.6) * rng.uniform(0.7, 1),
       ),
     )
   if (ageFraction > rng.uniform(0.4, 1.2))
-    guides.push(line(main - 3.8, [-2, rng.uniform(5, 11)], rng.uniform(-1, 1), 2.2, rng.uniform(0.25, 0.4)))
+    guides.push(line(main - 3.8, [-5, rng.uniform(6, 12)], rng.uniform(-1, 1), 3, rng.uniform(0.25, 0.4)))
   return {
     name: `glabella${name}`,
     cause: { [`browDown${name}`]: 1, [`browDown${side > 0 ? 'Right' : 'Left'}`]: 0.5 },
     guides,
     spacing: 11,
     creasedFraction: byAge(0.6, 1),
-    maxDepth: byAge(1.2, 2.3),
-    atRest: 0.35,
+    maxDepth: byAge(1, 1.6),
+    atRest: 0.3,
     reach: 5,
     feather: 6,
     influence: ([across]) => fade(side * across, -MIDDLE, MIDDLE),
@@ -98,7 +98,7 @@ function noseRoot({ landmarks, ageFraction, byAge, rngOf }: FaceContext): FaceRe
       depth,
       taper: [0.45, 0.45],
       shoulder: [0.9, 0.9],
-      softness: 0.65,
+      softness: 0.8,
     }
   }
   const guides = [line(middle, rng.uniform(7, 10), byAge(2.5, 3), 1)]

@@ -90,7 +90,7 @@ function lip(context: FaceContext, name: string, away: 1 | -1): FaceRegion {
       depths: DEPTHS,
       taper: [0.4, 0.7],
       shoulder: [0.8, 0.8],
-      softness: 0.85,
+      softness: 0.95,
     }
   }
   const guides = rng.row(lines, draw).filter(({ depth }) => depth > 0)

@@ -58,7 +58,7 @@ export function lowerLid(
     pull: ([across]) => unit2(-side * marginAt(side * across)[1], 1),
     variation: { thickness: 0.16, critical: 0.2, size: 5 },
     noise: rng.film(),
-    style: { width: byAge(1.3, 1.6), depth: 1, taper: [0.2, 0.2], shoulder: [0.9, 0.9], softness: 0.6 },
+    style: { width: byAge(1.3, 1.6), depth: 1, taper: [0.4, 0.4], shoulder: [0.9, 0.9], softness: 0.75 },
   }
   return {
     name: `underEye${name}`,

@@ -49,7 +49,7 @@ export function mouthCorner(
   ]
   if (ageFraction > MARIONETTE_AGE) {
     const [across, up] = [corner + rng.uniform(0, 4.5), mouth - rng.uniform(2, 6)]
-    const [curve, lean] = [rng.uniform(0.5, 3), rng.uniform(-1.5, 4)]
+    const [curve, lean] = [rng.uniform(1, 4), rng.uniform(-1.5, 4)]
     const length = byAge(9, 24) * rng.uniform(0.75, 1.1)
     guides.push({
       path: bezierPath(
@@ -61,10 +61,10 @@ export function mouthCorner(
       ),
       width: byAge(3.4, 5),
       depth: byAge(0.4, 0.85) * rng.uniform(0.8, 1),
-      depths: [0.5, 0.9, 1, 0.8, 0.5, 0.3],
-      taper: [0.4, 0.6],
-      shoulder: side > 0 ? [0.8, 0.4] : [0.4, 0.8],
-      softness: 0.9,
+      depths: [0.3, 0.8, 1, 0.8, 0.5, 0.3],
+      taper: [0.5, 0.5],
+      shoulder: side > 0 ? [0.6, 0.4] : [0.4, 0.6],
+      softness: 1,
     })
   }
   return {

@@ -13,16 +13,16 @@ const BESIDE_MOUTH = 10.5
 /** Length of the handles of the curve, as a fraction of the distance between its ends. */
 const HANDLE = 0.36
 /** Depths along the fold. The upper half is deepest. */
-const DEPTHS = [0.5, 0.9, 1, 1, 0.9, 0.75, 0.55]
+const DEPTHS = [0.6, 0.95, 1, 1, 0.9, 0.75, 0.55]
 
 /**
  * Creates the nasolabial fold: a deep line that starts in the groove beside the wing of the nose and passes the corner of the mouth. The cheek
- * bulges over it. The fold is one smooth curve in half of a smile, and so has no hook in a sneer or in a full smile.
+ * bulges over it. The fold is one smooth curve in most of a smile, and so has no hook in a sneer or in a full smile.
  */
 export function nasolabial(context: FaceContext, side: Side, name: string): FaceRegion {
   const { landmarks, byAge, rngOf, motionOf } = context
   const rng = rngOf(`nasolabial${name}`)
-  const moved = motionOf({ [`mouthSmile${name}`]: 0.5, [`cheekSquint${name}`]: 0.25 })
+  const moved = motionOf({ [`mouthSmile${name}`]: 0.7, [`cheekSquint${name}`]: 0.35 })
   const smiling = (across: number, up: number) => {
     const [x, y] = moved([side * across, up])
     return [side * x, y] as const
@@ -57,7 +57,7 @@ export function nasolabial(context: FaceContext, side: Side, name: string): Face
         width: byAge(3.4, 4.2),
         depth: 1,
         depths: DEPTHS,
-        taper: [0.12, 0.4],
+        taper: [0.04, 0.4],
         // The cheek hangs over the fold, so the bank on the cheek's side is higher.
         shoulder: side > 0 ? [1, 0.15] : [0.15, 1],
         lean: side * 0.25,

@@ -15,10 +15,10 @@ import {
 
 /** Distances from the inner corner of the eye, in millimetres. With distance, folds fade in across `START`, and out across `END`. */
 const START = [3, 9] as const
-const END = [24, 38] as const
+const END = [20, 31] as const
 /** Directions from the corner of the eye in degrees below the horizontal. Folds fade in from the first to the second. */
 const UPPER_EDGE = [-14, 10] as const
-const CHEEK = [78, 50] as const
+const CHEEK = [80, 52] as const
 /** Distances from the middle of the face, in millimetres. On the ridge of the nose, folds fade in from the first to the second. */
 const RIDGE = [0, 6] as const
 /** Factor on the slope of the folds. With a factor of 1, they would lie on lines through the corner of the eye. */
@@ -62,7 +62,7 @@ function bunnyLines(
     pull: pullAround([side * corner, up], FLATTENING),
     variation: { thickness: 0.25, critical: 0.25, size: 5 },
     noise: rngOf(`nose${name}`).film(),
-    style: { width: byAge(1.2, 1.5), depth: 1, taper: [0.35, 0.35], shoulder: [1, 1], softness: 0.75 },
+    style: { width: byAge(1.4, 1.8), depth: 1, taper: [0.5, 0.5], shoulder: [1, 1], softness: 0.85 },
   }
   return {
     name: `nose${name}`,

@@ -14,8 +14,6 @@ export type StrokedSkin = Pick<PreparedSkin, 'skin' | 'surface' | 'locator' | 'i
 const TOLERANCE = 0.08
 /** Spacing of a stroke's depth factors in millimetres. */
 const FACTOR_SPACING = 4
-/** Ratio of a stroke's taper to the taper of its line. The shorter taper makes the ends of the stroke blunter. */
-const BLUNT = 0.85
 
 /**
  * Converts a line to a stroke: a spline through few of the line's points.
@@ -40,7 +38,7 @@ export function strokeOf(
     width: rounded(width, 1e3),
     depth: rounded(depth, 1e4),
     depths: depthsOf(factors, Math.max(2, count)),
-    taper: [rounded(BLUNT * taper[0], 1e3), rounded(BLUNT * taper[1], 1e3)],
+    taper: [rounded(taper[0], 1e3), rounded(taper[1], 1e3)],
     shoulder: [rounded(shoulder[0], 1e3), rounded(shoulder[1], 1e3)],
     ...(bank && { bank: [rounded(bank[0], 100), rounded(bank[1], 100)] }),
     ...(lean !== undefined && { lean }),
