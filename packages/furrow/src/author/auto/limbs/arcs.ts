@@ -20,7 +20,7 @@ const WAVES = { height: 0.45, count: 5 } as const
 /** Creases with a valley that is deepest in the middle and fades out towards the sides of the limb. */
 const STYLE: Omit<LineStyle, 'width' | 'depth'> = {
   depths: [0.35, 0.75, 0.95, 1, 0.9, 1, 0.95, 0.75, 0.35],
-  taper: [0.12, 0.12],
+  taper: [0.102, 0.102],
   shoulder: [0.85, 0.85],
   softness: 0.35,
 }

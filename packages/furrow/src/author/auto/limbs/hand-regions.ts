@@ -32,7 +32,7 @@ const LOOSE = 0.16
 /** Style of lines on the back of a finger, which are nearly as deep at their sides as in the middle. */
 const BACK_STYLE: Partial<LineStyle> = {
   depths: [0.55, 0.9, 1, 0.9, 1, 0.95, 0.55],
-  taper: [0.22, 0.22],
+  taper: [0.187, 0.187],
   shoulder: [0.95, 0.95],
   softness: 0.45,
 }
@@ -233,7 +233,7 @@ function palmGuide(
     },
     style: {
       depths: [0.3, 0.75, 1, 0.9, 1, 0.85, 0.95, 0.7, 0.35],
-      taper: [0.25, 0.3],
+      taper: [0.2125, 0.255],
       shoulder: [0.7, 0.7],
       softness: 0.35,
       width: size * width * (1 + rng.jitter(0.08)),

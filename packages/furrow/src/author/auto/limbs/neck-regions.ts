@@ -96,7 +96,7 @@ const FOLDS: readonly NeckFold[] = [
 
 const STYLE: Omit<LineStyle, 'width' | 'softness'> = {
   depth: 1,
-  taper: [0.3, 0.3],
+  taper: [0.255, 0.255],
   shoulder: [0.95, 0.95],
 }
 

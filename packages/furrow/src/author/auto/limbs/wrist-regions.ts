@@ -42,7 +42,7 @@ export function wristRegions(
       size,
     )
     const arcs = isInside ? WRIST_CREASES.inside : WRIST_CREASES.back
-    const guides = arcGuides(chart, arcs, size, rng, { taper: [0.25, 0.25] })
+    const guides = arcGuides(chart, arcs, size, rng, { taper: [0.2125, 0.2125] })
     const axis = crossed(along, front)
     const full = (isInside ? RANGES.flexion : RANGES.extension) * DEGREE
     const turn = { joints: [wrist], from, axis, full }
