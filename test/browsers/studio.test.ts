@@ -52,7 +52,7 @@ describe.each(DRIVEN)('studio in %s', (_, kind) => {
         const transfer = new DataTransfer()
         const bytes = Uint8Array.from(atob('${Buffer.from(bytes).toString('base64')}'), (c) => c.charCodeAt(0))
         transfer.items.add(new File([bytes], '${fileName}'))
-        const input = document.querySelector('#top input[type=file]')
+        const input = document.querySelector('.title input[type=file]')
         input.files = transfer.files
         input.dispatchEvent(new Event('change', { bubbles: true }))`)
       const chosen = "document.querySelector('#face option:checked')?.textContent"
@@ -80,17 +80,11 @@ describe.each(DRIVEN)('studio in %s', (_, kind) => {
       }
     }
 
-    async function setMode(mode: string): Promise<void> {
-      await window.click('button', 'Preferences')
-      await window.click('label', mode, 'Wrinkles')
-      await window.click('button', 'Close')
-    }
-
     async function changeByWrinkles(): Promise<number> {
       const wrinkled = await shoot()
-      await setMode('Off')
+      await window.click('label', 'Off', 'Wrinkles')
       const plain = await shoot()
-      await setMode('Default')
+      await window.click('label', 'Default', 'Wrinkles')
       return meanPngDifference(wrinkled, plain)
     }
 
@@ -122,7 +116,7 @@ describe.each(DRIVEN)('studio in %s', (_, kind) => {
 
     test('makes wrinkles for an avatar, so that raised brows crease its forehead', async () => {
       await openFile('plain.glb', avatar, 'Plain')
-      await window.find('input[type=radio]', 'Select Inner forehead, left foreheadInnerLeft')
+      await window.find('input[type=radio]', 'Edit area foreheadInnerLeft')
       await window.until("!document.body.textContent.includes('Making wrinkles')")
       await showWrinklesEverywhere()
       await raiseBrows()
@@ -131,7 +125,7 @@ describe.each(DRIVEN)('studio in %s', (_, kind) => {
     })
 
     test('paints an area', async () => {
-      await window.click('input[type=radio]', 'Select Chin chin')
+      await window.click('input[type=radio]', 'Edit area chin')
       await window.until("furrowTest.findElement('input', 'Name')?.value === 'chin'")
       await window.click('button', 'Paint')
       await window.until("furrowTest.findElement('button[aria-pressed=true]', 'Paint')")
@@ -167,7 +161,7 @@ describe.each(DRIVEN)('studio in %s', (_, kind) => {
 
     test('shows all controls in full', async () => {
       await window.click('button', 'Edit wrinkles')
-      await window.click('input[type=radio]', 'Select Chin chin')
+      await window.click('input[type=radio]', 'Edit area chin')
       expect(await window.evaluate(`return ${CUT_CONTROLS}`)).toEqual([])
       await window.find('label', 'Off', 'Wrinkles')
       await save('unfolded')

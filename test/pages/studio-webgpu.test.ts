@@ -6,10 +6,7 @@ import { openStudio } from './opened-studio.ts'
 import {
   areaChoice,
   button,
-  chooseLook,
-  chooseTool,
   meanPngDifference,
-  prefer,
   shootStage,
   slider,
   startDrawingLines,
@@ -18,9 +15,9 @@ import {
 } from './studio-page.ts'
 
 const AREA = 'lowerLip'
-const LOOKS = ['Relief', 'Strain'] as const
+const LOOKS = ['Clay', 'Strain'] as const
 
-const studio = openStudio({ width: 1200, height: 640 })
+const studio = openStudio({ width: 900, height: 600 })
 let page: Page
 /** Pictures of each look on WebGL. */
 const expected = new Map<string, Buffer>()
@@ -31,15 +28,16 @@ beforeAll(async () => {
   await areaChoice(page, AREA).waitFor()
   await page.getByRole('slider', { name: /^Divider/ }).press('Home')
   for (const name of LOOKS) expected.set(name, await shootLook(name))
-  await prefer(page, 'Renderer', 'WebGPU')
+  await page.getByText('WebGPU', { exact: true }).click()
   await waitUntilReady(page, 'WebGPU')
 })
 
 async function shootLook(name: string): Promise<Buffer> {
   await button(page, 'Surprised').click()
-  await chooseLook(page, name)
+  const show = page.getByRole('group', { name: 'Show' })
+  await show.getByText(name).click()
   const picture = await shootStage(page)
-  await chooseLook(page, 'Shaded')
+  await show.getByText('Shaded').click()
   return picture
 }
 
@@ -79,7 +77,7 @@ test.each(LOOKS)('%s looks like WebGL', async (name) => {
 test('an area is painted on the face, and shows its extent', async () => {
   await button(page, 'Neutral').click()
   await areaChoice(page, AREA).check()
-  await chooseTool(page, 'Paint')
+  await button(page, 'Paint').click()
   await changesPicture(() => drag('#viewport', [0.6, 0.55], [0.63, 0.6]), `Paint ${AREA}`, 0.05)
 })
 

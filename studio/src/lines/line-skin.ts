@@ -1,5 +1,5 @@
 import { type Skin, type SkinCanvas, skinCanvas } from 'furrow/author'
-import { barycentricsAt, type MirrorPlane, StrokeLines, uvOf } from 'furrow/internal'
+import { barycentricsAt, type MirrorPlane, middleOf, StrokeLines, uvOf } from 'furrow/internal'
 import type { Mesh } from 'three'
 import type { LayerStroke } from '../document/document.ts'
 import { makeCanvasInWorker } from '../paint/in-worker.ts'
@@ -23,14 +23,11 @@ export class LineSkin {
   readonly canvas: SkinCanvas
   readonly lines: StrokeLines
   readonly #posed: PosedSkin
-  readonly #middleOf: (skin: Skin) => MirrorPlane | undefined
   readonly #skinLines = new WeakMap<LayerStroke, SkinLine | null>()
   readonly #uvs = new WeakMap<LayerStroke, Float64Array>()
 
-  /** @param middleOf finds the plane between the two halves of a face. */
-  constructor(posed: PosedSkin, canvas: SkinCanvas, middleOf: (skin: Skin) => MirrorPlane | undefined) {
+  constructor(posed: PosedSkin, canvas: SkinCanvas) {
     this.#posed = posed
-    this.#middleOf = middleOf
     this.canvas = canvas
     this.lines = new StrokeLines(canvas)
   }
@@ -47,7 +44,7 @@ export class LineSkin {
 
   /** Plane between the left and the right half of the face. Undefined if it cannot be found from the motion of the blendshapes. */
   get middle(): MirrorPlane | undefined {
-    return this.#middleOf(this.#skin)
+    return middleOf(this.#skin)
   }
 
   /** Updates the skin to the current pose of the face. */
@@ -109,6 +106,5 @@ export async function readLineSkin(
   const { positions, uvs, indices } = posed.skin.skin
   const mesh = { positions, uvs, indices }
   const canvas = await makeCanvasInWorker(mesh, size, scale).catch(() => skinCanvas(mesh, size, size, scale))
-  const { middleOf } = await import('./middle.ts')
-  return new LineSkin(posed, canvas, middleOf)
+  return new LineSkin(posed, canvas)
 }

@@ -41,7 +41,7 @@ export class ToolHost {
     this.cancel()
     this.#tool?.hover?.(null)
     this.#tool = tool
-    this.#stage.classList.toggle('with-tool', tool !== null && !tool.isQuiet)
+    this.#stage.classList.toggle('with-tool', tool !== null)
   }
 
   readonly #onDown = (event: PointerEvent): void => {

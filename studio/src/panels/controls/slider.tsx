@@ -6,8 +6,6 @@ import type { Dial } from '../../viewer/pose/dials.ts'
 
 interface SliderProps {
   dial: Dial
-  /** Label before the dial's name. Default: only the name. */
-  label?: string
   /** Signal that changes when the dial's value may have changed. */
   frame: ReadonlySignal<number>
   onInput(dial: Dial, value: number): void
@@ -24,7 +22,6 @@ interface SliderProps {
 /** Labelled slider for a dial. If the value changes, updates the DOM without rendering the component. */
 export function Slider({
   dial,
-  label,
   frame,
   onInput,
   onHover,
@@ -65,12 +62,9 @@ export function Slider({
         }}
         onPointerLeave={() => hover(false)}
       >
-        {label && <span>{label} </span>}
-        <span class={label && 'file-name'}>
-          {start}
-          <wbr />
-          {side}
-        </span>
+        {start}
+        <wbr />
+        {side}
       </label>
       <input
         ref={input}

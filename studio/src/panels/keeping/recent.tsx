@@ -1,13 +1,12 @@
 import type { ProjectEntry } from '../../keep/project-store.ts'
-import { FILE } from '../../labels.ts'
+import { Section } from '../controls/section.tsx'
 import type { PanelModel } from '../model.ts'
 
 export function Recent({ model: { projects, actions } }: { model: PanelModel }) {
   const entries = projects.value
   if (entries.length === 0) return null
   return (
-    <section aria-labelledby="recent">
-      <h2 id="recent">{FILE.recent}</h2>
+    <Section title="Recent work" open={false}>
       <ul class="list">
         {entries.map((entry) => (
           <li key={entry.id}>
@@ -32,7 +31,7 @@ export function Recent({ model: { projects, actions } }: { model: PanelModel }) 
           </li>
         ))}
       </ul>
-    </section>
+    </Section>
   )
 }
 

@@ -1,28 +1,27 @@
 import { useSignal } from '@preact/signals'
 import { WRINKLE_MAPS } from 'furrow/internal'
 import { useId } from 'preact/hooks'
-import { FILE } from '../labels.ts'
-import type { PanelModel } from '../panels/model.ts'
-import type { ExportState } from '../session/exporting.ts'
-import { Icon } from '../ui/icon.tsx'
-import { Popover } from '../ui/popover.tsx'
+import type { ExportState } from '../../session/exporting.ts'
+import { Section } from '../controls/section.tsx'
+import type { PanelModel } from '../model.ts'
+import { SaveProject } from './save-project.tsx'
 
 const CODE = `import { extendLoader } from 'furrow/three'
 
 extendLoader(loader)
 const { scene } = await loader.loadAsync('FILE')`
 
-/** Button that exports the avatar and saves the file. Its card shows the progress, the size of the wrinkles, and code that loads the file. */
-export function ExportCard({ model }: { model: PanelModel }) {
+/** Section that exports the avatar with its wrinkles. Shows the size of the wrinkles and code that loads the file. */
+export function Export({ model }: { model: PanelModel }) {
   const { exporting, actions } = model
   const isCompressed = useSignal(false)
   const state = exporting.value
   return (
-    <div class="export">
-      <button type="button" class="main" onClick={() => actions.exportFace({ ktx2: isCompressed.value })}>
-        {FILE.export}
-      </button>
-      <Popover label={FILE.exported} class="main" placement="bottom-end" button={<Icon name="down" />}>
+    <Section title="Export" open={false}>
+      <div class="add">
+        <button type="button" onClick={() => actions.exportFace({ ktx2: isCompressed.value })}>
+          Make the file
+        </button>
         <label class="check" title="Maps stay compressed on the GPU">
           <input
             type="checkbox"
@@ -31,15 +30,13 @@ export function ExportCard({ model }: { model: PanelModel }) {
               isCompressed.value = currentTarget.checked
             }}
           />
-          {FILE.ktx2}
+          KTX 2
         </label>
-        {!state && (
-          <p class="hint">Export saves the avatar with its wrinkles, and this card then shows its size.</p>
-        )}
-        {state?.kind === 'done' && <Done state={state} onCopy={actions.copyCode} />}
-      </Popover>
+      </div>
+      <SaveProject model={model} />
       {state?.kind === 'running' && <Running fraction={state.fraction} onCancel={actions.cancelExport} />}
-    </div>
+      {state?.kind === 'done' && <Done state={state} onSave={actions.saveExport} onCopy={actions.copyCode} />}
+    </Section>
   )
 }
 
@@ -58,10 +55,11 @@ function Running({ fraction, onCancel }: { fraction: number; onCancel(): void })
 
 interface DoneProps {
   state: ExportState & { kind: 'done' }
+  onSave(): void
   onCopy(text: string): void
 }
 
-function Done({ state, onCopy }: DoneProps) {
+function Done({ state, onSave, onCopy }: DoneProps) {
   const { bytes, findings, cost, warnings } = state.face
   const errors = findings.filter(({ severity }) => severity === 'error')
   const own = errors.filter(({ pointer }) => pointer?.includes(WRINKLE_MAPS))
@@ -74,7 +72,7 @@ function Done({ state, onCopy }: DoneProps) {
   return (
     <>
       <p class="hint" role="status">
-        {state.name}: {megabytes(bytes.length)} in all; the wrinkles take {megabytes(cost.file)} of it and{' '}
+        {megabytes(bytes.length)} in all; the wrinkles take {megabytes(cost.file)} of it and{' '}
         {megabytes(cost.gpu)} on the GPU.{' '}
         {own.length === 0 ? 'The wrinkles have no errors.' : `The wrinkles have ${own.length} errors.`}
       </p>
@@ -85,6 +83,9 @@ function Done({ state, onCopy }: DoneProps) {
           ))}
         </ul>
       )}
+      <button type="button" class="main" onClick={onSave}>
+        Save {state.name}
+      </button>
       <Code text={CODE.replace('FILE', state.name)} onCopy={onCopy} />
     </>
   )
@@ -94,9 +95,16 @@ function Done({ state, onCopy }: DoneProps) {
 function Code({ text, onCopy }: { text: string; onCopy(text: string): void }) {
   return (
     <>
-      <textarea class="code" readOnly rows={8} spellcheck={false} aria-label={FILE.code} value={text} />
+      <textarea
+        class="code"
+        readOnly
+        rows={8}
+        spellcheck={false}
+        aria-label="Code that loads the file"
+        value={text}
+      />
       <button type="button" onClick={() => onCopy(text)}>
-        {FILE.copyCode}
+        Copy the code
       </button>
     </>
   )
