@@ -81,19 +81,19 @@ describe('parseStrokes', () => {
     ],
     [
       document({ ...plain, width: '2' }),
-      'strokes[0].width must be a number, got "2", allowed: 0.1..50 mm; write a plain number',
+      'strokes[0].width must be a number, got "2", allowed: 0.1..80 mm; write a plain number',
     ],
     [
       document({ ...plain, width: 0 }),
-      'strokes[0].width is out of range, got 0, allowed: 0.1..50 mm; choose a value inside the range',
+      'strokes[0].width is out of range, got 0, allowed: 0.1..80 mm; choose a value inside the range',
     ],
     [
       document({ ...plain, depth: undefined }),
-      'strokes[0].depth must be a number, got nothing, allowed: -10..10 mm; write a plain number',
+      'strokes[0].depth must be a number, got nothing, allowed: -25..10 mm; write a plain number',
     ],
     [
       document({ ...plain, depth: Number.POSITIVE_INFINITY }),
-      'strokes[0].depth must be a number, got Infinity, allowed: -10..10 mm; write a plain number',
+      'strokes[0].depth must be a number, got Infinity, allowed: -25..10 mm; write a plain number',
     ],
     [
       document({ ...plain, taper: [0, 0, 0] }),
