@@ -163,6 +163,7 @@ export { measuredSource, targetSource, valueSource } from '../src/drivers/source
 export { TensionMeasurement, type TensionSample } from '../src/drivers/tension/measure.ts'
 export { type SampledMesh, sampleTriangles } from '../src/drivers/tension/samples.ts'
 export { DeformedNormals, morphNormalDeltas, type RestMesh } from '../src/math/deformed-normals.ts'
+export { power } from '../src/math/elementary.ts'
 export { splineKnots } from '../src/math/spline.ts'
 export { principalStretches, restInverse } from '../src/math/stretch.ts'
 export { dot, length3 } from '../src/math/vector.ts'

@@ -27,7 +27,7 @@ export function parsePoses(json: unknown, who: string): JointPoses {
       const rotation = read
         .array(value, at, 4, 4)
         .map((part, k) => read.number(part, `${at}[${k}]`, -1, 1, ''))
-      const size = Math.hypot(...rotation)
+      const size = Math.sqrt(rotation.reduce((sum, part) => sum + part ** 2, 0))
       if (Math.abs(size - 1) > TOLERANCE)
         read.fail(`${at} is no rotation`, size, 'length 1', 'normalise the quaternion')
       found.set(name, [...(found.get(name) ?? []), rotation])

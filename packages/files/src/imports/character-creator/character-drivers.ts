@@ -1,4 +1,5 @@
 import type { WrinkleDriver } from 'furrow'
+import { power } from 'furrow/internal'
 import { powerCurve } from '../power-curve.ts'
 import type { RuleStrengths } from './region-settings.ts'
 import { CORRECTION, RULES, type Rule, type Side } from './rules.ts'
@@ -65,7 +66,7 @@ function ruleDrivers(
 ): WrinkleDriver[] {
   const weight = weightOf(rule, side)
   if (links.length === 0) {
-    const curve = powerCurve(overall * weight ** powerOf(rule), powerOf(rule), shape)
+    const curve = powerCurve(overall * power(weight, powerOf(rule)), powerOf(rule), shape)
     return [{ type: 'input', name: rule.names[side], area, curve }]
   }
   const own = links.filter((link) => link.rule === rule.key && link.side === side)

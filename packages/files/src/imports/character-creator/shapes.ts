@@ -11,7 +11,7 @@ export interface ShapeLink {
 const PURSE = (factor: number) => ({ purseD: factor, purseU: factor, lipsPurseD: factor, lipsPurseU: factor })
 const LIPS = (factor: number) => ({ lipsSmileD: factor, lipsSmileU: factor })
 
-/** Factors of the rules per blendshape. `*` is L or R, `**` is Left or Right; the rules then are on that side, or with `!` on the other. */
+/** Factors of the rules per blendshape. `*` is L or R, `#` is Left or Right; the rules then are on that side, or with `!` on the other. */
 type Shapes = Readonly<Record<string, Readonly<Record<string, number>>>>
 
 /** Blendshapes that characters with the standard and with MetaHuman's names share. */
@@ -89,8 +89,8 @@ const METAHUMAN_PROFILE: Shapes = {
   'Nose_Wrinkle_*': SNEER,
   'Nose_Nasolabial_Deepen_*': { noseCrease: 0.7 },
   'Eye_Cheek_Raise_*': CHEEK_RAISE,
-  'Jaw_**': { neckStretch: 1 },
-  'Mouth_**': SHIFT,
+  'Jaw_#': { neckStretch: 1 },
+  'Mouth_#': SHIFT,
   Mouth_Left: SHIFTED_LIPS,
   Mouth_Right: SHIFTED_LIPS,
   'Mouth_Corner_Pull_*': SMILE,
@@ -123,11 +123,11 @@ export function shapeLinks(targets: readonly string[]): ShapeLink[] {
 }
 
 function patternSides(pattern: string): { shape: string; sides: Side[] }[] {
-  if (!pattern.includes('*')) return [{ shape: pattern, sides: ['L', 'R'] }]
-  const words = { L: pattern.includes('**') ? 'Left' : 'L', R: pattern.includes('**') ? 'Right' : 'R' }
+  if (!/[*#]/.test(pattern)) return [{ shape: pattern, sides: ['L', 'R'] }]
+  const words = pattern.includes('#') ? { L: 'Left', R: 'Right' } : { L: 'L', R: 'R' }
   const isCrossed = pattern.endsWith('!')
   return (['L', 'R'] as const).map((side) => ({
-    shape: pattern.replace(/\*\*?/, words[side]).replace('!', ''),
+    shape: pattern.replace(/[*#]/, words[side]).replace('!', ''),
     sides: [isCrossed === (side === 'L') ? 'R' : 'L'],
   }))
 }

@@ -33,7 +33,7 @@ const FILES: Readonly<Record<string, readonly string[]>> = {
   head_wm13_msk_01: ['lips_DL', 'lips_DR', 'lips_UL', 'lips_UR'],
 }
 
-/** Factors of controls per mask. `*` is the side. Lips have different factors in the maps 1 and 3. */
+/** Factors of controls per mask. `*` is the side, L or R, and `#` is Left or Right. Lips have different factors in the maps 1 and 3. */
 const CONTROLS: Readonly<Record<string, Readonly<Record<string, number>>>> = {
   blink: { 'eyeBlink*': 1, 'eyeLookDown*': 1 },
   browsRaiseInner: { 'browRaiseIn*': 1 },
@@ -48,10 +48,10 @@ const CONTROLS: Readonly<Record<string, Readonly<Record<string, number>>>> = {
   mouthStretch: { 'mouthStretch*': 1 },
   neckStretch: { 'neckStretch*': 1 },
   noseWrinkler: { 'noseWrinkle*': 1 },
-  cheekRaiseInner: { 'eyeCheekRaise*': 0.8, 'mouthCornerPull*': 0.8, 'mouth**': 0.5 },
-  cheekRaiseOuter: { 'eyeCheekRaise*': 0.8, 'mouthCornerPull*': 0.8, 'mouth**': 0.5 },
+  cheekRaiseInner: { 'eyeCheekRaise*': 0.8, 'mouthCornerPull*': 0.8, 'mouth#': 0.5 },
+  cheekRaiseOuter: { 'eyeCheekRaise*': 0.8, 'mouthCornerPull*': 0.8, 'mouth#': 0.5 },
   cheekRaiseUpper: { 'eyeCheekRaise*': 0.8 },
-  smile: { 'mouthCornerPull*': 1, 'mouthDimple*': 0.4, 'mouth**': 1 },
+  smile: { 'mouthCornerPull*': 1, 'mouthDimple*': 0.4, 'mouth#': 1 },
   lips1: { mouthLeft: 0.5, mouthRight: 0.5, 'mouthLipsPurseU*': 0.625 },
   lips3: { 'mouthCornerPull*': 1, 'mouthDimple*': 0.5, 'mouthStretch*': 1 },
 }
@@ -78,9 +78,9 @@ export const CURVES: readonly WrinkleCurve[] = Object.entries(FILES).flatMap(([f
 function controlsOf(mask: string, set: number): Record<string, number> {
   const [, name, side] = /^(.*?)(?:_?([LR]))?$/.exec(mask)!
   const factors = CONTROLS[name.startsWith('lips') ? `lips${set}` : name]
-  const words = { '*': side ?? '', '**': side === 'L' ? 'Left' : 'Right' }
+  const words = { '*': side ?? '', '#': side === 'L' ? 'Left' : 'Right' }
   const entries = Object.entries(factors).map(([control, factor]) => [
-    control.replace(/\*\*?/, (star) => words[star as keyof typeof words]),
+    control.replace(/[*#]/, (star) => words[star as keyof typeof words]),
     factor,
   ])
   return Object.fromEntries(entries)

@@ -1,3 +1,5 @@
+import { power } from 'furrow/internal'
+
 /** Largest distance of the mean colour of a delta map from mid gray, in bytes. */
 const TOLERANCE = 12
 const MID_GRAY = 128
@@ -29,9 +31,9 @@ export function overlaid(base: ArrayLike<number>, delta: ArrayLike<number>): num
 
 /** Decodes sRGB (IEC 61966-2-1). */
 function toLinear(value: number): number {
-  return value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4
+  return value <= 0.04045 ? value / 12.92 : power((value + 0.055) / 1.055, 2.4)
 }
 
 function toSrgb(value: number): number {
-  return value <= 0.0031308 ? 12.92 * value : 1.055 * value ** (1 / 2.4) - 0.055
+  return value <= 0.0031308 ? 12.92 * value : 1.055 * power(value, 1 / 2.4) - 0.055
 }
