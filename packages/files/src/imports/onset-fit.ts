@@ -1,4 +1,4 @@
-import { reference } from 'furrow/internal'
+import { interpolateValues, lerp, reference } from 'furrow/internal'
 
 /**
  * Approximation of a flow map by onset. The source mixes a wrinkle by `min(1, f + m) m`, where *f* is the flow and *m* the weight times the
@@ -73,19 +73,15 @@ export function fitOnset(changes: ArrayLike<number>): OnsetFit {
     const [top, left] = [Math.floor(row), Math.floor(column)]
     const [bottom, right] = [Math.ceil(row), Math.ceil(column)]
     const value = (key: 'onset' | 'weight') => {
-      const above = mixed(table[top][left][key], table[top][right][key], column - left)
-      return mixed(
-        above,
-        mixed(table[bottom][left][key], table[bottom][right][key], column - left),
-        row - top,
-      )
+      const above = lerp(table[top][left][key], table[top][right][key], column - left)
+      return lerp(above, lerp(table[bottom][left][key], table[bottom][right][key], column - left), row - top)
     }
     return { onset: value('onset'), weight: value('weight') }
   }
   return {
     strength,
     steps,
-    activationOf: (activation) => sampled(curve, activation),
+    activationOf: (activation) => interpolateValues(curve, activation),
     onsetOf: (flow, weight) => lookup(flow, weight).onset,
     weightOf: (flow, weight, most) => {
       if (weight === most || strength === 0) return lookup(flow, weight).weight
@@ -194,16 +190,6 @@ function leastOf(
   return best
 }
 
-function sampled(values: readonly number[], at: number): number {
-  const position = Math.min(Math.max(at, 0), 1) * (values.length - 1)
-  const low = Math.floor(position)
-  return mixed(values[low], values[Math.min(low + 1, values.length - 1)], position - low)
-}
-
-function mixed(a: number, b: number, t: number): number {
-  return a + (b - a) * t
-}
-
 function spread(from: number, to: number, count: number): number[] {
-  return Array.from({ length: count }, (_, i) => mixed(from, to, i / (count - 1)))
+  return Array.from({ length: count }, (_, i) => lerp(from, to, i / (count - 1)))
 }

@@ -1,7 +1,9 @@
-import { power } from 'furrow/internal'
+import { clamp, power, rounded } from 'furrow/internal'
 
 /** A curve with at most as many points as drivers may have. */
 const POINTS = 49
+/** Points are multiples of 1 / `STEPS`. */
+const STEPS = 1e6
 
 /**
  * Samples the curve `shape(min(1, strength x^exponent))` for a driver. Points are closer where the power rises steeply.
@@ -25,11 +27,7 @@ export function powerCurve(
   const points = Array.from({ length: count }, (_, i): [number, number] => {
     const input = end * power(i / (count - 1), Math.max(1, 1 / exponent))
     const value = Math.min(1, strength * power(input, exponent))
-    return [rounded(input), rounded(Math.min(1, Math.max(0, shape(value))))]
+    return [rounded(input, STEPS), rounded(clamp(shape(value), 0, 1), STEPS)]
   })
   return points.filter(([input], i) => i === 0 || input > points[i - 1][0])
-}
-
-function rounded(value: number): number {
-  return Math.round(value * 1e6) / 1e6
 }

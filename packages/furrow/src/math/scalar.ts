@@ -14,6 +14,13 @@ export function lerp(a: number, b: number, t: number): number {
   return a + t * (b - a)
 }
 
+/** Interpolates linearly between at least two values at even distances. `t` is clamped to 0 (the first value) .. 1 (the last value). */
+export function interpolateValues(values: ArrayLike<number>, t: number): number {
+  const x = clamp(t, 0, 1) * (values.length - 1)
+  const from = Math.min(Math.floor(x), values.length - 2)
+  return lerp(values[from], values[from + 1], x - from)
+}
+
 /** Clamps `x` to 0..1, and returns `3 * x^2 - 2 * x^3`. */
 export function smoothstep(x: number): number {
   const t = clamp(x, 0, 1)

@@ -1,5 +1,5 @@
 import { FurrowError, type GrayImage } from 'furrow'
-import { resampleGray } from 'furrow/internal'
+import { clamp, resampleGray } from 'furrow/internal'
 import { channelOf, type Pixels } from '../../images/pixels.ts'
 import { type SourceFiles, stemOf } from '../source-files.ts'
 import { readSourceImage } from '../source-image.ts'
@@ -37,7 +37,7 @@ export function ruleWeights(
 }
 
 function sideAt(u: number, side: Side): number {
-  const left = Math.min(1, Math.max(0, (u - MIDDLE[0]) / (MIDDLE[1] - MIDDLE[0])))
+  const left = clamp((u - MIDDLE[0]) / (MIDDLE[1] - MIDDLE[0]), 0, 1)
   return side === 'L' ? left : 1 - left
 }
 

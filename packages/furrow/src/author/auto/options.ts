@@ -83,13 +83,12 @@ export function checkAutoOptions(options: AutoOptions, who: string): void {
     const value = options[name as keyof typeof RANGES]
     if (value !== undefined) checkNumber(value, name, range, who)
   }
-  if (options.cloth !== undefined && !CLOTH_KINDS.includes(options.cloth))
-    throw unknownCloth(options.cloth, who)
+  if (options.cloth !== undefined) checkName(options.cloth, CLOTH_KINDS, 'kind of cloth', who)
   for (const [region, seed] of Object.entries(options.seeds ?? {})) {
-    checkRegion(region, who)
+    checkName(region, AUTO_REGIONS, 'region', who)
     checkNumber(seed, 'seed', RANGES.seed, who)
   }
-  for (const region of options.regions ?? []) checkRegion(region, who)
+  for (const region of options.regions ?? []) checkName(region, AUTO_REGIONS, 'region', who)
 }
 
 function checkNumber(
@@ -112,25 +111,14 @@ function checkNumber(
   })
 }
 
-function checkRegion(region: string, who: string): void {
-  if ((AUTO_REGIONS as readonly string[]).includes(region)) return
+function checkName(name: string, allowed: readonly string[], what: string, who: string): void {
+  if (allowed.includes(name)) return
   throw new FurrowError({
     code: 'unknown-name',
     who,
-    problem: 'unknown region',
-    value: region,
-    limit: AUTO_REGIONS.join(', '),
-    remedy: didYouMean(region, AUTO_REGIONS, 'name one of them'),
-  })
-}
-
-function unknownCloth(cloth: string, who: string): FurrowError {
-  return new FurrowError({
-    code: 'unknown-name',
-    who,
-    problem: 'unknown kind of cloth',
-    value: cloth,
-    limit: CLOTH_KINDS.join(', '),
-    remedy: didYouMean(cloth, CLOTH_KINDS, 'name one of them'),
+    problem: `unknown ${what}`,
+    value: name,
+    limit: allowed.join(', '),
+    remedy: didYouMean(name, allowed, 'name one of them'),
   })
 }

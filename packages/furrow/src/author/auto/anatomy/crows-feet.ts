@@ -1,4 +1,4 @@
-import { clamp, lerp } from '../../../math/scalar.ts'
+import { interpolateValues, lerp } from '../../../math/scalar.ts'
 import { length2 } from '../../../math/vector.ts'
 import { filmWavelength } from '../buckling/film.ts'
 import type { ChartPoint } from '../surface/head-chart.ts'
@@ -49,11 +49,7 @@ export function crowsFeet(
   const reach = INSIDE + byAge(30, 52)
   const reaches = Array.from({ length: REACHES }, () => reach * rng.uniform(...REACH_VARIATION))
   /** Returns the reach in a direction, in degrees above the horizontal. */
-  const reachAt = (rise: number) => {
-    const place = clamp((rise - FAN[0]) / (FAN[1] - FAN[0]), 0, 1) * (REACHES - 1)
-    const i = Math.min(Math.floor(place), REACHES - 2)
-    return lerp(reaches[i], reaches[i + 1], place - i)
-  }
+  const reachAt = (rise: number) => interpolateValues(reaches, (rise - FAN[0]) / (FAN[1] - FAN[0]))
   const film: SkinFilm = {
     centre: [side * centre, up],
     isFlattened: (point) => {

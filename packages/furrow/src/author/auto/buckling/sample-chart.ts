@@ -1,8 +1,8 @@
 import { rasterize } from '../../../math/rasterize.ts'
 import { clamp, powerOfTwoFrom } from '../../../math/scalar.ts'
-import { cornersOf } from '../../skin/surface.ts'
+import { cornersOf, type SurfacePoint } from '../../skin/surface.ts'
 import { bilinearForm, TENSOR_SIZE } from '../surface/tensors.ts'
-import { type FlatChart, flatTriangle } from './flat-chart.ts'
+import { type FlatChart, flatTriangle, liftPoint } from './flat-chart.ts'
 import type { PeriodicGrid } from './grid-fft.ts'
 
 /** Minimum number of samples per row and per column. */
@@ -124,4 +124,22 @@ export function chartAxes(chart: FlatChart): Float64Array {
     }
   }
   return sums.map((sum, i) => sum / (counts[Math.floor(i / 6)] || 1))
+}
+
+/**
+ * Lifts the points of a line onto the surface.
+ *
+ * @param points packed x, y in millimetres from the first sample.
+ * @returns one point of the surface per point of the line; undefined where the surface has a hole.
+ */
+export function liftLine(samples: ChartSamples, points: ArrayLike<number>): (SurfacePoint | undefined)[] {
+  const { chart, origin, triangles } = samples
+  let index = -1
+  return Array.from({ length: points.length / 2 }, (_, i) => {
+    const [x, y] = [points[2 * i], points[2 * i + 1]]
+    if (index < 0) index = triangles[sampleAt(samples, x, y)]
+    const found = index < 0 ? undefined : liftPoint(chart, index, origin[0] + x, origin[1] + y)
+    index = found?.index ?? -1
+    return found?.point
+  })
 }

@@ -1,9 +1,8 @@
-import { rounded } from '../../../math/scalar.ts'
+import { clamp, rounded } from '../../../math/scalar.ts'
 import type { SurfacePoint } from '../../skin/surface.ts'
 import { type LaidStroke, layOutStroke } from '../../strokes/lay-out.ts'
-import { liftPoint } from '../buckling/flat-chart.ts'
-import { sampleAt } from '../buckling/sample-chart.ts'
-import { clipToDrawn, foldOf, type RegionCreases } from '../lines/crease.ts'
+import { liftLine, sampleAt } from '../buckling/sample-chart.ts'
+import { clipToDrawn, foldOf, type RegionCreases, typicalCompression } from '../lines/crease.ts'
 import { keptRuns, type LaidLine } from '../lines/laid-line.ts'
 import { type StrokedSkin, strokeOf } from '../lines/stroke-of.ts'
 import type { BuckledCloth } from './cloth-film.ts'
@@ -11,8 +10,6 @@ import type { Ridge } from './ridges.ts'
 
 /** Maximum fraction by which the valley on one side of a crest may be nearer than the one on the other side. */
 const MAX_LEAN = 0.35
-/** The compression of a region is the value that this fraction of the compressions at its crests exceeds. */
-const ABOVE = 0.3
 
 /** Folds of cloth before they are converted to strokes. */
 export interface ClothFolds {
@@ -25,8 +22,8 @@ export interface ClothFolds {
 /** Converts folds to strokes: bulges along their crests. Cloth rises and never sinks, because the body is below it. */
 export function clothCreases(skin: StrokedSkin, { cloth, ridges, heights }: ClothFolds): RegionCreases {
   const lines = ridges.flatMap((ridge, i) => linesOf(cloth, ridge, heights[i]))
-  const compression = typical(lines.flatMap(({ compressions }) => compressions))
-  const lost = typical(
+  const compression = typicalCompression(lines.flatMap(({ compressions }) => compressions))
+  const lost = typicalCompression(
     ridges.flatMap(({ points, heights: own }) =>
       Array.from(own, (_, i) => cloth.lost[sampleAt(cloth.samples, points[2 * i], points[2 * i + 1])]),
     ),
@@ -55,32 +52,16 @@ export function clothCreases(skin: StrokedSkin, { cloth, ridges, heights }: Clot
   }
 }
 
-/** Returns the value that a part of the compressions exceeds. */
-function typical(compressions: readonly number[]): number {
-  const sorted = [...compressions].sort((a, b) => b - a)
-  return sorted[Math.floor(ABOVE * sorted.length)] ?? 0
-}
-
 /** Lifts a ridge onto the surface. Where the cloth has a hole, the line is cut. */
 function linesOf(
   { samples, wanted }: BuckledCloth,
   { points, reach: [left, right] }: Ridge,
   heights: Float64Array,
 ): LaidLine[] {
-  const { chart, origin, triangles } = samples
-  let index = -1
   const at = (i: number) => sampleAt(samples, points[2 * i], points[2 * i + 1])
-  const lifted = Array.from(heights, (_, i) => {
-    if (index < 0) index = triangles[at(i)]
-    const found =
-      index < 0
-        ? undefined
-        : liftPoint(chart, index, origin[0] + points[2 * i], origin[1] + points[2 * i + 1])
-    index = found?.index ?? -1
-    return found?.point
-  })
+  const lifted = liftLine(samples, points)
   const width = left + right
-  const lean = Math.max(-MAX_LEAN, Math.min(MAX_LEAN, (right - left) / width))
+  const lean = clamp((right - left) / width, -MAX_LEAN, MAX_LEAN)
   return keptRuns(heights.length, (i) => lifted[i] !== undefined).flatMap(([start, end]) => {
     const part = lifted.slice(start, end) as SurfacePoint[]
     const own = heights.subarray(start, end)

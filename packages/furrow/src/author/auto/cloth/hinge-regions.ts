@@ -59,9 +59,9 @@ function regionOf(
   const { surface } = limb.prepared
   const { joints } = limb.skeleton
   const on = pointWeights(limb, subtreeOf(joints, start))
-  const place = (point: number) => aroundHinge(hinged, vectorAt(surface.points, point))
-  const radii = Array.from(on, (weight, point) => ({ weight, ...place(point) }))
-    .filter(({ weight, along }) => weight > OWN[1] && Math.abs(along) < 0.35 * Math.min(...lengths))
+  const places = Array.from(on, (_, point) => aroundHinge(hinged, vectorAt(surface.points, point)))
+  const radii = places
+    .filter(({ along }, i) => on[i] > OWN[1] && Math.abs(along) < 0.35 * Math.min(...lengths))
     .map(({ radius }) => radius)
     .sort((a, b) => a - b)
   if (radii.length === 0) return undefined
@@ -71,7 +71,7 @@ function regionOf(
   const ends = [-HALVES[0] * lengths[0], HALVES[1] * lengths[1]]
   const weight = (point: number) => {
     if (on[point] < OWN[0]) return 0
-    const { angle, along, radius: away } = place(point)
+    const { angle, along, radius: away } = places[point]
     if (along < ends[0] || along > ends[1] || away > 2.2 * radius) return 0
     const far = Math.abs(along) / radius
     return (
@@ -86,7 +86,7 @@ function regionOf(
   const crushed = crushMask(limb, turn, STRAINED)
   const tube = {
     place: (point: number) => {
-      const { angle, along } = place(point)
+      const { angle, along } = places[point]
       return [angle, along] as const
     },
     radius,

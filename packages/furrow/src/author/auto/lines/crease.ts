@@ -71,10 +71,10 @@ export function creaseLines(
   lines: readonly LaidLine[],
   { strength, symmetry }: Pick<LineSettings, 'strength' | 'symmetry'>,
 ): RegionCreases {
-  const measured = lines
-    .flatMap(({ style, compressions }) => (style.isDimple ? [] : compressions.filter((value) => value > 0)))
-    .sort((a, b) => b - a)
-  const compression = Math.max(assumedCompression, measured[Math.floor(ABOVE * measured.length)] ?? 0)
+  const measured = lines.flatMap(({ style, compressions }) =>
+    style.isDimple ? [] : compressions.filter((value) => value > 0),
+  )
+  const compression = Math.max(assumedCompression, typicalCompression(measured))
   const variations = depthVariations(name, lines, symmetry)
   const drawn = lines.flatMap((line, i) =>
     clipToDrawn(line, prepared).map((part) => ({ ...part, variation: variations[i] })),
@@ -168,4 +168,10 @@ function movingAverage(values: readonly number[]): number[] {
     const window = values.slice(Math.max(0, i - AVERAGE_RADIUS), i + AVERAGE_RADIUS + 1)
     return window.reduce((a, b) => a + b, 0) / window.length
   })
+}
+
+/** Returns the compression of a region: the value that the fraction `ABOVE` of the compressions on its lines exceeds. */
+export function typicalCompression(compressions: readonly number[]): number {
+  const sorted = [...compressions].sort((a, b) => b - a)
+  return sorted[Math.floor(ABOVE * sorted.length)] ?? 0
 }

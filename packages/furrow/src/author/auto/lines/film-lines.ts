@@ -3,9 +3,9 @@ import type { SkinSurface, SurfacePoint } from '../../skin/surface.ts'
 import type { BucklingRegion, LineStyle, SkinFilm } from '../anatomy/region.ts'
 import { buckle } from '../buckling/buckle.ts'
 import type { FilmNoise } from '../buckling/film-noise.ts'
-import { flatChart, liftPoint } from '../buckling/flat-chart.ts'
+import { flatChart } from '../buckling/flat-chart.ts'
 import { Relief } from '../buckling/relief.ts'
-import { type ChartSamples, sampleAt, sampleChart } from '../buckling/sample-chart.ts'
+import { type ChartSamples, liftLine, sampleAt, sampleChart } from '../buckling/sample-chart.ts'
 import { traceValleys, type Valley } from '../buckling/valleys.ts'
 import type { DetectedFace } from '../surface/detect-face.ts'
 import { type ChartPoint, type HeadChart, unrollPoint } from '../surface/head-chart.ts'
@@ -154,21 +154,11 @@ function layValley(
   style: LineStyle,
   deepest: number,
 ): LaidLine[] {
-  const { chart, origin, triangles } = samples
   const most = Math.max(...depths)
   const share = most / deepest
   const count = depths.length
   const sampleOf = (i: number) => sampleAt(samples, points[2 * i], points[2 * i + 1])
-  let index = -1
-  const lifted = Array.from({ length: count }, (_, i) => {
-    if (index < 0) index = triangles[sampleOf(i)]
-    const found =
-      index < 0
-        ? undefined
-        : liftPoint(chart, index, origin[0] + points[2 * i], origin[1] + points[2 * i + 1])
-    index = found?.index ?? -1
-    return found?.point
-  })
+  const lifted = liftLine(samples, points)
   return keptRuns(count, (i) => lifted[i] !== undefined).map(([start, end]) => {
     const part = lifted.slice(start, end) as SurfacePoint[]
     return {

@@ -1,5 +1,5 @@
 import type { Uv } from '../../../core/json.ts'
-import { lerp, rounded } from '../../../math/scalar.ts'
+import { interpolateValues, rounded } from '../../../math/scalar.ts'
 import { splineKnots } from '../../../math/spline.ts'
 import { barycentricsAt } from '../../skin/walk.ts'
 import type { Stroke } from '../../strokes/document.ts'
@@ -48,7 +48,7 @@ export function strokeOf(
 }
 
 function depthsOf(factors: readonly number[], count: number): number[] {
-  return Array.from({ length: count }, (_, i) => rounded(sample(factors, i / (count - 1)), 1e3))
+  return Array.from({ length: count }, (_, i) => rounded(interpolateValues(factors, i / (count - 1)), 1e3))
 }
 
 /** Returns the UV coordinates of a point of a line. They are rounded to about 1/2000 of a texel in maps of 1024 texels. */
@@ -57,10 +57,4 @@ export function uvAt({ points, triangles }: LaidLine, i: number, { surface, loca
   barycentricsAt(weights, surface, triangles[i], points.subarray(3 * i, 3 * i + 3))
   const [u, v] = locator.uvAt(triangles[i], weights)
   return [rounded(u, 2e6), rounded(v, 2e6)]
-}
-
-function sample(values: readonly number[], t: number): number {
-  const x = t * (values.length - 1)
-  const from = Math.min(Math.floor(x), values.length - 2)
-  return lerp(values[from], values[from + 1], x - from)
 }
