@@ -3,8 +3,8 @@ import { dirname, join, relative, resolve, sep } from 'node:path'
 import { parseSync, Visitor } from 'vite'
 import { Failure, ROOT } from './run.mjs'
 
-/** Folders with build outputs and installed packages. */
-const SKIPPED = /(^|\/)(node_modules|dist|cache|\.venv[^/]*)$|^site\/pages$/
+/** Folders with build outputs, installed packages, and temporary code of `test/unit/docs.test.ts`, which runs at the same time. */
+const SKIPPED = /(^|\/)(node_modules|dist|cache|\.venv[^/]*|\.examples-[^/]*)$|^site\/pages$/
 
 /**
  * Returns the imports of all code files in some folders, including type imports.
