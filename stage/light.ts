@@ -8,7 +8,7 @@ import {
   type WebGLRenderer,
 } from 'three'
 import { RoomEnvironment } from 'three/addons/environments/RoomEnvironment.js'
-import { PMREMGenerator as NodePMREMGenerator, type WebGPURenderer } from 'three/webgpu'
+import type { WebGPURenderer } from 'three/webgpu'
 
 /** Three-point lighting: a key light from the upper left, a weaker fill light, and a rim light from behind. `from` points to the light. */
 const LIGHTS = [
@@ -32,9 +32,23 @@ export interface Lighting {
   remove(): void
 }
 
-/** Adds lights, environment and background to a scene, for a face that looks along +Z. */
-export function lightScene(scene: Scene, renderer: WebGLRenderer | WebGPURenderer): Lighting {
-  const pmrem = isWebGL(renderer) ? new PMREMGenerator(renderer) : new NodePMREMGenerator(renderer)
+/** Makes environment maps: the `PMREMGenerator` of one of three.js's renderers. */
+export interface EnvironmentGenerator {
+  fromScene(scene: Scene, sigma?: number): { texture: Texture; dispose(): void }
+  dispose(): void
+}
+
+/**
+ * Adds lights, environment and background to a scene, for a face that looks along +Z.
+ *
+ * @param generator generator for the renderer. Default: one for `WebGLRenderer`.
+ */
+export function lightScene(
+  scene: Scene,
+  renderer: WebGLRenderer | WebGPURenderer,
+  generator?: EnvironmentGenerator,
+): Lighting {
+  const pmrem = generator ?? new PMREMGenerator(renderer as WebGLRenderer)
   let environment: { texture: Texture; dispose(): void } | null = null
   const surround = () => {
     environment?.dispose()

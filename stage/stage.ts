@@ -7,7 +7,7 @@ import {
   Wrinkles as WebGLWrinkles,
   type WrinklesOptions,
 } from 'furrow/three'
-import { Wrinkles as WebGPUWrinkles } from 'furrow/webgpu'
+import type { Wrinkles as WebGPUWrinkles } from 'furrow/webgpu'
 import {
   ACESFilmicToneMapping,
   type Material,
@@ -19,7 +19,7 @@ import {
   type Vector3,
   WebGLRenderer,
 } from 'three'
-import { WebGPURenderer } from 'three/webgpu'
+import type { WebGPURenderer } from 'three/webgpu'
 import type { Face } from './face.ts'
 import { isWebGL, type Lighting, lightScene } from './light.ts'
 import { type CloseUp, frameCloseUp, frameView, type ViewName } from './views.ts'
@@ -44,6 +44,8 @@ export interface Stage {
     loaded: Pick<LoadedWrinkles, 'set' | 'drivers'>,
     options?: WrinklesOptions,
   ): Wrinkles
+  /** Creates wrinkles for a mesh that shares the maps of other wrinkles. Callers must dispose of them. */
+  mirror(mesh: Mesh, wrinkles: Wrinkles): Wrinkles
   /**
    * Moves the camera to a view of the face. Rotates the lights so that they light the front of the face; the `light` of a close-up adds to this
    * rotation. Returns the point that the camera looks at.
@@ -61,16 +63,18 @@ export interface Stage {
  * @throws Error if the browser has no WebGL 2. With kind `webgpu`, WebGPU suffices.
  */
 export async function createStage(canvas: HTMLCanvasElement, kind: RendererKind): Promise<Stage> {
-  const renderer =
-    kind === 'webgl'
-      ? new WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true })
-      : new WebGPURenderer({ canvas, antialias: true })
+  // Most pages never use WebGPU, whose renderer is 220 kB (gzip).
+  const webgpu = kind === 'webgpu' ? await import('./webgpu.ts') : null
+  const renderer = webgpu
+    ? new webgpu.WebGPURenderer({ canvas, antialias: true })
+    : new WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true })
   if (!isWebGL(renderer)) await renderer.init()
   renderer.toneMapping = ACESFilmicToneMapping
   renderer.outputColorSpace = SRGBColorSpace
   const scene = new Scene()
   const camera = new PerspectiveCamera()
-  const lighting = lightScene(scene, renderer)
+  const environment = webgpu ? webgpu.environmentGenerator(renderer as WebGPURenderer) : undefined
+  const lighting = lightScene(scene, renderer, environment)
   let shown: Face | null = null
   return {
     renderer,
@@ -85,9 +89,9 @@ export async function createStage(canvas: HTMLCanvasElement, kind: RendererKind)
     },
     addWrinkles(face, { set, drivers }, options) {
       separateMaterial(face)
-      const wrinkles = isWebGL(renderer)
-        ? new WebGLWrinkles(face.skin, set, options)
-        : new WebGPUWrinkles(face.skin, set, options)
+      const wrinkles = webgpu
+        ? new webgpu.Wrinkles(face.skin, set, options)
+        : new WebGLWrinkles(face.skin, set, options)
       for (const part of face.parts) wrinkles.addMesh(part)
       addDrivers(wrinkles, drivers)
       return wrinkles
@@ -105,6 +109,8 @@ export async function createStage(canvas: HTMLCanvasElement, kind: RendererKind)
       camera.aspect = width / height
       camera.updateProjectionMatrix()
     },
+    mirror: (mesh, wrinkles) =>
+      webgpu ? new webgpu.Wrinkles(mesh, wrinkles) : new WebGLWrinkles(mesh, wrinkles),
     render: () => void renderer.render(scene, camera),
     dispose() {
       lighting.remove()

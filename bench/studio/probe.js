@@ -84,7 +84,7 @@
     new MutationObserver(() => {
       if (stage.getAttribute('aria-busy') === 'false') probe.ready.push(performance.now())
     }).observe(stage, { attributeFilter: ['aria-busy'] })
-    const panel = document.querySelector('#panel')
+    const panel = document.querySelector('#drawer')
     new MutationObserver(() => {
       const hasAreas = panel.querySelector('#areas .row') !== null
       if (!hasAreas) probe.wrinkled = null

@@ -45,7 +45,7 @@ export class StudioPage {
   async openProject(folder) {
     await this.drop(folder)
     await this.button('Edit wrinkles').click()
-    await this.button('New area').waitFor()
+    await this.button('New region').waitFor()
     await this.waitForIdle()
   }
 
@@ -72,9 +72,10 @@ export class StudioPage {
     await this.page.mouse.up()
   }
 
-  /** Selects what the pointer does with wrinkle lines: Off, Edit or Draw. */
-  async linesTo(mode) {
-    await this.page.getByRole('group', { name: 'Pointer' }).getByText(mode, { exact: true }).click()
+  /** Selects a tool of the toolbar. */
+  async chooseTool(name) {
+    const toolbar = this.page.getByRole('toolbar', { name: 'Tools' })
+    await toolbar.getByRole('button', { name, exact: true }).click()
     await this.waitForIdle()
   }
 

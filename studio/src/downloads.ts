@@ -1,3 +1,4 @@
+import type { ExportOptions } from './export/export-document.ts'
 import type { Messages } from './messages.ts'
 import { saveFile } from './save-file.ts'
 import { savePicture } from './save-picture.ts'
@@ -17,9 +18,13 @@ export class Downloads {
     this.#messages = messages
   }
 
-  saveExport(): void {
-    const state = this.#workspace.exporting.state.peek()
-    if (state?.kind === 'done') saveFile(new Blob([state.face.bytes as BlobPart]), state.name)
+  /** Packs the avatar with its wrinkles, and saves the file unless the user cancels the export. */
+  exportFace(options: ExportOptions): Promise<unknown> {
+    return this.#messages.attempt(async () => {
+      await this.#workspace.export(options)
+      const state = this.#workspace.exporting.state.peek()
+      if (state?.kind === 'done') saveFile(new Blob([state.face.bytes as BlobPart]), state.name)
+    })
   }
 
   saveProject(): Promise<unknown> {

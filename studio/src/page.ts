@@ -5,13 +5,12 @@ export interface Page {
   divider: HTMLElement
   sideWith: HTMLElement
   views: HTMLElement
-  screenshot: HTMLButtonElement
-  uvLayout: HTMLButtonElement
   textureToggle: HTMLButtonElement
   texture: HTMLElement
   loading: HTMLElement
   progress: HTMLProgressElement
   loadingText: HTMLElement
+  readout: HTMLElement
   backend: HTMLElement
   adapter: HTMLElement
   frameTime: HTMLElement
@@ -19,7 +18,6 @@ export interface Page {
   errors: HTMLElement
   notes: HTMLElement
   dropping: HTMLElement
-  panel: HTMLElement
 }
 
 const IDS: Record<keyof Page, string> = {
@@ -28,13 +26,12 @@ const IDS: Record<keyof Page, string> = {
   divider: 'divider',
   sideWith: 'side-with',
   views: 'views',
-  screenshot: 'screenshot',
-  uvLayout: 'uv-layout',
   textureToggle: 'texture-toggle',
   texture: 'texture',
   loading: 'loading',
   progress: 'progress',
   loadingText: 'loading-text',
+  readout: 'readout',
   backend: 'backend',
   adapter: 'adapter',
   frameTime: 'frame-time',
@@ -42,7 +39,6 @@ const IDS: Record<keyof Page, string> = {
   errors: 'errors',
   notes: 'notes',
   dropping: 'dropping',
-  panel: 'panel',
 }
 
 export function findPage(): Page {

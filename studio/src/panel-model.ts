@@ -1,10 +1,10 @@
-import type { ReadonlySignal, Signal } from '@preact/signals'
+import type { ReadonlySignal } from '@preact/signals'
 import type { Downloads } from './downloads.ts'
 import { filesOfInput } from './files/dropped-files.ts'
 import type { Lines } from './lines/lines.ts'
 import type { PageLink } from './link/page-link.ts'
 import type { Messages } from './messages.ts'
-import type { PanelModel } from './panels/model.ts'
+import type { Dialogs, PanelModel } from './panels/model.ts'
 import type { AreaEditor } from './session/area-editor.ts'
 import type { FaceAreas } from './session/face-areas.ts'
 import type { LayerEditor } from './session/layer-editor.ts'
@@ -13,6 +13,7 @@ import type { Saving } from './session/saving.ts'
 import type { ShapeEditor } from './session/shape-editor.ts'
 import type { Workspace } from './session/workspace.ts'
 import type { Painting } from './tools/painting.ts'
+import type { ToolChoice } from './tools/tool-choice.ts'
 import type { ShownFace } from './viewer/shown-face.ts'
 import type { ViewerHost } from './viewer/viewer-host.ts'
 
@@ -27,20 +28,21 @@ export interface PanelParts {
   layers: LayerEditor
   shapes: ShapeEditor
   painting: Painting
+  tools: ToolChoice
   opening: Opening
   host: ViewerHost
   downloads: Downloads
   link: PageLink
   messages: Messages
   faces: ReadonlySignal<readonly string[]>
-  isListOpen: Signal<boolean>
+  dialogs: Dialogs
 }
 
 export function panelModel(parts: PanelParts): PanelModel {
-  const { workspace, saving, face, lines, areas, faceAreas, layers, shapes, painting } = parts
-  const { opening, host, downloads, link, messages, faces, isListOpen } = parts
+  const { workspace, saving, face, lines, areas, faceAreas, layers, shapes, painting, tools } = parts
+  const { opening, host, downloads, link, messages, faces, dialogs } = parts
   const { session, automatic, exporting, keeping, settings } = workspace
-  const { viewer, frame, revision, expression, hovered, staging, player } = face
+  const { viewer, frame, revision, expression, hovered, staging, player, meshes, pictures } = face
   return {
     session,
     lines: lines.editor,
@@ -48,13 +50,14 @@ export function panelModel(parts: PanelParts): PanelModel {
     layers,
     shapes,
     painting,
+    tools,
     auto: settings,
     autoRun: automatic.run,
     exporting: exporting.state,
     projects: keeping.projects,
     saving: keeping.state,
     folder: saving.folder,
-    isListOpen,
+    dialogs,
     faces,
     viewer,
     frame,
@@ -62,6 +65,8 @@ export function panelModel(parts: PanelParts): PanelModel {
     expression,
     hovered,
     staging,
+    meshes,
+    pictures,
     player,
     actions: {
       attempt: (task) => void messages.attempt(task),
@@ -95,12 +100,13 @@ export function panelModel(parts: PanelParts): PanelModel {
       keepCopy: () => void messages.attempt(() => keeping.copy()),
       takeOver: () => opening.takeOver(),
       deleteProject: (id) => void messages.attempt(() => keeping.delete(id)),
-      exportFace: (options) => void messages.attempt(() => workspace.export(options)),
+      exportFace: (options) => void downloads.exportFace(options),
       cancelExport: () => exporting.cancel(),
-      saveExport: () => downloads.saveExport(),
       saveProject: () => void downloads.saveProject(),
       saveToFolder: (isOtherFolder) => void downloads.saveToFolder(isOtherFolder),
       copyCode: (text) => void downloads.copyCode(text),
+      savePicture: () => void downloads.savePicture(host.viewer, expression.peek()),
+      saveUvLayout: () => void downloads.saveUvLayout(host.viewer),
       copyLink: () => void messages.attempt(() => link.copy()),
     },
   }

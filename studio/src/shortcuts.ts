@@ -1,3 +1,5 @@
+import { TOOLS } from './labels.ts'
+
 interface Shortcut {
   /** Values of `KeyboardEvent.key`, with the prefixes `Mod+` (Control, or Command on a Mac), `Alt+` and `Shift+`. */
   readonly keys: readonly string[]
@@ -12,6 +14,25 @@ export const SHORTCUTS = {
     save: { keys: ['Mod+s'], label: 'Save the project (to its folder, if it has one)' },
     cancel: { keys: ['Escape'], label: 'Cancel the gesture of the pointer' },
     list: { keys: ['?'], label: 'Show this list' },
+    expression: {
+      keys: ['1', '2', '3', '4', '5', '6', '7', '8', '9'],
+      label: 'Play an expression of this avatar',
+    },
+  },
+  stage: {
+    overlay: { keys: ['h'], label: 'Hide or show the lines over the face' },
+    wrinkles: { keys: ['w'], label: 'Hide or show the wrinkles' },
+    frame: { keys: ['f'], label: 'Look at the selection' },
+  },
+  tools: {
+    select: { keys: ['v'], label: TOOLS.select },
+    draw: { keys: ['d'], label: TOOLS.draw },
+    bend: { keys: ['g'], label: TOOLS.bend },
+    smooth: { keys: ['s'], label: TOOLS.smooth },
+    erase: { keys: ['e'], label: TOOLS.erase },
+    paint: { keys: ['b'], label: TOOLS.paint },
+    polygon: { keys: ['p'], label: TOOLS.polygon },
+    mirror: { keys: ['m'], label: `${TOOLS.mirror}: change both halves of the face` },
   },
   face: {
     left: { keys: ['ArrowLeft'], label: 'Orbit to the left' },
@@ -79,16 +100,33 @@ export function shortcutOf<S extends Scope>(scope: S, event: KeyboardEvent): Sho
 }
 
 /** Handles the shortcuts of the scope `everywhere`. Prevents the browser's default actions for these keys. */
-export function addShortcuts(
-  actions: Record<Exclude<ShortcutName<'everywhere'>, 'cancel'>, () => void>,
-): void {
+export function addShortcuts(actions: GlobalActions): void {
   addEventListener('keydown', (event) => {
     const name = shortcutOf('everywhere', event)
     // The tool host handles `cancel`.
-    if (!name || name === 'cancel') return
+    if (!name || name === 'cancel' || event.defaultPrevented) return
     event.preventDefault()
-    actions[name]()
+    if (name === 'expression') actions.expression(Number(event.key))
+    else actions[name]()
   })
+  addEventListener('keydown', (event) => {
+    const [tool, view] = [shortcutOf('tools', event), shortcutOf('stage', event)]
+    if ((!tool && !view) || event.defaultPrevented) return
+    event.preventDefault()
+    if (tool) actions.tool(tool)
+    if (view) actions[view]()
+  })
+}
+
+/** Actions of the shortcuts that work everywhere. */
+interface GlobalActions
+  extends Record<
+    Exclude<ShortcutName<'everywhere'>, 'cancel' | 'expression'> | ShortcutName<'stage'>,
+    () => void
+  > {
+  /** @param number number of the expression, from 1. */
+  expression(number: number): void
+  tool(tool: ShortcutName<'tools'>): void
 }
 
 /** Returns pressed keys in the notation of `SHORTCUTS`. Includes Shift only with `Mod+` and with keys that type no character. */

@@ -1,4 +1,5 @@
 import { batch, effect, signal } from '@preact/signals'
+import type { GrayImage } from 'furrow'
 import { VIEWS, type ViewName } from '../../stage/views.ts'
 import { Buttons } from './buttons.ts'
 import { Divider } from './divider.ts'
@@ -15,7 +16,8 @@ import { Messages } from './messages.ts'
 import { Meter } from './meter.ts'
 import type { Page } from './page.ts'
 import { panelModel } from './panel-model.ts'
-import { showPanel } from './panels/show-panel.tsx'
+import { bindTools } from './pointer/bind-tools.ts'
+import { FacePointer } from './pointer/face-pointer.ts'
 import { AreaEditor } from './session/area-editor.ts'
 import { FaceAreas } from './session/face-areas.ts'
 import { LayerEditor } from './session/layer-editor.ts'
@@ -23,9 +25,12 @@ import { Opening } from './session/opening.ts'
 import { Saving } from './session/saving.ts'
 import { ShapeEditor } from './session/shape-editor.ts'
 import { Workspace } from './session/workspace.ts'
+import { showShell } from './shell/shell.tsx'
 import { addShortcuts } from './shortcuts.ts'
+import { isStatisticsShown } from './statistics.ts'
 import { TextureToggle } from './texture/texture-toggle.ts'
 import { Painting } from './tools/painting.ts'
+import { ToolChoice } from './tools/tool-choice.ts'
 import { ToolHost } from './tools/tool-host.ts'
 import { adapterName } from './viewer/adapter.ts'
 import { DocumentView, type DrawnDocument } from './viewer/document-view.ts'
@@ -53,13 +58,14 @@ export class Studio {
   readonly #painting: Painting
   readonly #view = new DocumentView()
   readonly #lines: Lines
+  readonly #tools = new ToolChoice()
   readonly #faces = signal<readonly string[]>([])
 
   constructor(page: Page) {
     this.#page = page
     const messages = new Messages(page.errors, page.notes)
     const loading = new Loading(page)
-    const isListOpen = signal(false)
+    const dialogs = { shortcuts: signal(false), preferences: signal(false) }
     this.#messages = messages
     this.#loading = loading
     this.#meter = new Meter(page.frameTime, page.graph)
@@ -134,11 +140,23 @@ export class Studio {
       wake,
       attempt,
     })
+    const pointer = new FacePointer({
+      stage: page.viewport,
+      session,
+      face: this.#face,
+      areas,
+      lines: () => this.#lines,
+      edit: () => {
+        if (this.#viewer?.wrinkles) void attempt(() => this.#workspace.editWrinkles())
+      },
+    })
     this.#lines = new Lines({
       stage: page.viewport,
       session,
       viewer: this.#face.viewer,
       tools,
+      isMoving: () => this.#isMoving,
+      onSkin: (hit) => pointer.point(hit),
       attempt,
     })
     new TextureToggle(page.textureToggle, {
@@ -150,16 +168,9 @@ export class Studio {
       viewer: this.#face.viewer,
       attempt,
     })
-    // Painting ends the editing of lines, and editing lines ends painting.
-    effect(() => {
-      if (this.#painting.area.value !== null) this.#lines.editor.mode.value = 'off'
-    })
-    effect(() => {
-      if (this.#lines.editor.mode.value !== 'off') this.#painting.isOn = false
-    })
+    bindTools(this.#tools, { session, areas, painting: this.#painting, lines: this.#lines.editor })
     effect(() => this.#workspace.prepareEdit(this.#lines.editor.chosen.value))
-    showPanel(
-      page.panel,
+    showShell(
       panelModel({
         workspace: this.#workspace,
         saving,
@@ -170,13 +181,14 @@ export class Studio {
         layers,
         shapes: new ShapeEditor(session, this.#workspace.source),
         painting: this.#painting,
+        tools: this.#tools,
         opening: this.#opening,
         host: this.#host,
         downloads,
         link: this.#link,
         messages,
         faces: this.#faces,
-        isListOpen,
+        dialogs,
       }),
     )
     keepFocus(document.body)
@@ -189,7 +201,12 @@ export class Studio {
     effect(() => {
       if (this.#isEdited) this.#face.player.pause()
     })
-    effect(() => this.#arrange(this.#face.viewer.value, areas.hidden.value, this.#isEdited))
+    effect(() => {
+      // A region can be on the side of the divider without wrinkles.
+      const isPointed = this.#face.hovered.value?.isOnFace ?? false
+      page.viewport.classList.toggle('pointed', isPointed)
+      this.#arrange(this.#face.viewer.value, areas.hidden.value, this.#isEdited || isPointed)
+    })
     effect(() => {
       this.#face.revision.value
       this.#label()
@@ -200,13 +217,29 @@ export class Studio {
       redo: () => session.redo(),
       save: () => downloads.save(),
       list: () => {
-        isListOpen.value = true
+        dialogs.shortcuts.value = true
+      },
+      overlay: () => {
+        this.#lines.isShown.value = !this.#lines.isShown.peek()
+      },
+      wrinkles: () =>
+        this.#face.change((viewer) => {
+          viewer.mode = viewer.mode === 'off' ? 'default' : 'off'
+        }),
+      frame: () => this.#frameSelection(areas.chosen.peek()?.weights ?? null),
+      expression: (number) => {
+        const expression = this.#viewer?.expressions[number - 1]
+        if (expression) this.#face.play(expression.name)
+      },
+      tool: (name) => {
+        if (!session.document.peek() && name !== 'select') return
+        if (name === 'mirror') this.#tools.mirror.value = !this.#tools.mirror.peek()
+        else this.#tools.choose(name)
       },
     })
-    page.screenshot.addEventListener('click', () =>
-      downloads.savePicture(this.#viewer, this.#face.expression.peek()),
-    )
-    page.uvLayout.addEventListener('click', () => downloads.saveUvLayout(this.#viewer))
+    effect(() => {
+      page.readout.hidden = !isStatisticsShown.value
+    })
     acceptFiles(page.dropping, (files) => this.#opening.openFiles(() => filesOfTransfer(files)))
   }
 
@@ -272,7 +305,15 @@ export class Studio {
 
   /** Whether the user paints an area or edits lines. The face then keeps its pose. */
   get #isEdited(): boolean {
-    return this.#painting.area.value !== null || this.#lines.editor.mode.value !== 'off'
+    return this.#painting.area.value !== null || this.#lines.editor.isEditing.value
+  }
+
+  /** Looks at the chosen line or region, or at the whole face. */
+  #frameSelection(weights: GrayImage | null): void {
+    const place = this.#lines.placeOf(weights)
+    if (place) this.#host.orbit?.lookAt(place.middle, place.radius)
+    else this.#host.orbit?.goTo('front')
+    this.#loop.wake()
   }
 
   #goTo(name: ViewName): void {
@@ -280,11 +321,11 @@ export class Studio {
     this.#loop.wake()
   }
 
-  /** Hides muted areas. While the user paints or edits lines, shows wrinkles on both sides of the divider. */
-  #arrange(viewer: Viewer | null, hidden: readonly string[], isEdited: boolean): void {
+  /** Hides muted areas. @param isWhole whether to show wrinkles on both sides of the divider. */
+  #arrange(viewer: Viewer | null, hidden: readonly string[], isWhole: boolean): void {
     if (!viewer) return
     viewer.hidden = hidden
-    viewer.split = isEdited ? 0 : this.#divider.position
+    viewer.split = isWhole ? 0 : this.#divider.position
     this.#loop.wake()
   }
 

@@ -52,7 +52,7 @@ describe.each(DRIVEN)('studio in %s', (_, kind) => {
         const transfer = new DataTransfer()
         const bytes = Uint8Array.from(atob('${Buffer.from(bytes).toString('base64')}'), (c) => c.charCodeAt(0))
         transfer.items.add(new File([bytes], '${fileName}'))
-        const input = document.querySelector('.title input[type=file]')
+        const input = document.querySelector('#top input[type=file]')
         input.files = transfer.files
         input.dispatchEvent(new Event('change', { bubbles: true }))`)
       const chosen = "document.querySelector('#face option:checked')?.textContent"
@@ -80,11 +80,17 @@ describe.each(DRIVEN)('studio in %s', (_, kind) => {
       }
     }
 
+    async function setMode(mode: string): Promise<void> {
+      await window.click('button', 'Preferences')
+      await window.click('label', mode, 'Wrinkles')
+      await window.click('button', 'Close')
+    }
+
     async function changeByWrinkles(): Promise<number> {
       const wrinkled = await shoot()
-      await window.click('label', 'Off', 'Wrinkles')
+      await setMode('Off')
       const plain = await shoot()
-      await window.click('label', 'Default', 'Wrinkles')
+      await setMode('Default')
       return meanPngDifference(wrinkled, plain)
     }
 
@@ -116,7 +122,7 @@ describe.each(DRIVEN)('studio in %s', (_, kind) => {
 
     test('makes wrinkles for an avatar, so that raised brows crease its forehead', async () => {
       await openFile('plain.glb', avatar, 'Plain')
-      await window.find('input[type=radio]', 'Edit area foreheadInnerLeft')
+      await window.find('input[type=radio]', 'Select Inner forehead, left foreheadInnerLeft')
       await window.until("!document.body.textContent.includes('Making wrinkles')")
       await showWrinklesEverywhere()
       await raiseBrows()
@@ -125,7 +131,7 @@ describe.each(DRIVEN)('studio in %s', (_, kind) => {
     })
 
     test('paints an area', async () => {
-      await window.click('input[type=radio]', 'Edit area chin')
+      await window.click('input[type=radio]', 'Select Chin chin')
       await window.until("furrowTest.findElement('input', 'Name')?.value === 'chin'")
       await window.click('button', 'Paint')
       await window.until("furrowTest.findElement('button[aria-pressed=true]', 'Paint')")
@@ -161,7 +167,7 @@ describe.each(DRIVEN)('studio in %s', (_, kind) => {
 
     test('shows all controls in full', async () => {
       await window.click('button', 'Edit wrinkles')
-      await window.click('input[type=radio]', 'Edit area chin')
+      await window.click('input[type=radio]', 'Select Chin chin')
       expect(await window.evaluate(`return ${CUT_CONTROLS}`)).toEqual([])
       await window.find('label', 'Off', 'Wrinkles')
       await save('unfolded')

@@ -7,7 +7,7 @@ import type { AxeResults } from 'axe-core'
 import type { Page } from 'playwright-core'
 import { beforeAll, expect, test } from 'vitest'
 import { openStudio } from './opened-studio.ts'
-import { dropPaths } from './studio-page.ts'
+import { chooseTool, dropPaths, exportFile, projectCard, showTab, waitUntilReady } from './studio-page.ts'
 
 const AXE = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8')
 const WINDOW = { width: 1280, height: 800 }
@@ -46,10 +46,18 @@ async function violations(rules: object): Promise<string[]> {
 
 type Run = (context: Document, options: object) => Promise<AxeResults>
 
+/** Shows the inspector in the sheet of the phone. */
+async function showSheet(): Promise<void> {
+  const tab = page.getByRole('navigation', { name: 'Panels' }).getByRole('button', { name: 'Selection' })
+  // A dialog hides the rest of the page.
+  if ((await tab.count()) > 0 && (await tab.getAttribute('aria-expanded')) === 'false') await tab.click()
+}
+
 async function expectNone(): Promise<void> {
   const found: string[] = []
   for (const [where, viewport] of Object.entries({ window: WINDOW, phone: PHONE })) {
     await page.setViewportSize(viewport)
+    if (viewport === PHONE) await showSheet()
     for (const [colorScheme, rules] of [['dark', RULES] as const, ['light', OF_COLOURS] as const]) {
       await page.emulateMedia({ colorScheme })
       const own = await violations(rules)
@@ -74,6 +82,7 @@ test('no violation with an avatar whose wrinkles are made', async () => {
   await dropPaths(page, [join(studio.folder, 'turned.vrm')], 'Turned')
   await page.locator('#areas .row').first().waitFor()
   await page.getByText('Making wrinkles').waitFor({ state: 'detached' })
+  await showTab(page, 'When')
   await unfoldAll()
   // The studio recognises blendshapes once the section is unfolded.
   await page.locator('.shape').first().waitFor()
@@ -82,9 +91,10 @@ test('no violation with an avatar whose wrinkles are made', async () => {
 
 test('no violation with every type of driver unfolded', async () => {
   await page
-    .getByRole('radio', { name: /^Edit area / })
+    .getByRole('radio', { name: /^Select / })
     .first()
     .check()
+  await showTab(page, 'When')
   const list = page.getByLabel('Driver to add')
   for (const label of await list.locator('option').allTextContents()) {
     await list.selectOption({ label })
@@ -101,11 +111,11 @@ test('no violation with every type of driver unfolded', async () => {
 })
 
 test('no violation while painting, by brush and by polygon', async () => {
-  await button('Paint').click()
+  await chooseTool(page, 'Paint')
   await expectNone()
-  await page.getByText('Polygon', { exact: true }).click()
+  await chooseTool(page, 'Polygon')
   await expectNone()
-  await button('Paint').click()
+  await chooseTool(page, 'Select')
 })
 
 test('no violation with the texture next to the face', async () => {
@@ -116,14 +126,20 @@ test('no violation with the texture next to the face', async () => {
 })
 
 test('no violation while editing lines', async () => {
-  await page.getByText('Edit', { exact: true }).click()
+  await showTab(page, 'Look')
+  await chooseTool(page, 'Bend')
+  await page.getByLabel('Line', { exact: true }).selectOption({ index: 1 })
+  await expectNone()
+  await chooseTool(page, 'Draw a wrinkle')
   await expectNone()
 })
 
 test('no violation with an exported file', async () => {
-  await button('Make the file').click()
+  await exportFile(page)
+  await button('Exported file').click()
   await button('Copy the code').waitFor()
   await expectNone()
+  await page.keyboard.press('Escape')
 })
 
 test('no violation with a message and an expression that plays', async () => {
@@ -140,9 +156,28 @@ test('no violation with the list of shortcuts', async () => {
   await button('Close').last().click()
 })
 
+test('no violation in the preferences, and in the other views', async () => {
+  await button('Preferences').click()
+  await expectNone()
+  await button('Close').click()
+  await button('More views').click()
+  await expectNone()
+  await page.keyboard.press('Escape')
+})
+
+test('no violation in each mode, and in the tab of the maps', async () => {
+  for (const mode of ['Lines', 'Paint', 'Motion', 'Look']) {
+    await page.getByRole('group', { name: 'Mode' }).getByText(mode, { exact: true }).click()
+    await expectNone()
+  }
+  await showTab(page, 'Maps')
+  await expectNone()
+})
+
 test('no violation with the list of recent projects', async () => {
   await page.reload()
-  await page.getByRole('heading', { name: 'Recent work' }).click()
+  await waitUntilReady(page)
   await page.evaluate(AXE)
+  await projectCard(page)
   await expectNone()
 })

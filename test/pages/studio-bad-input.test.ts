@@ -7,7 +7,7 @@ import { beforeAll, expect, test } from 'vitest'
 import { editGlb } from '../glb.ts'
 import { openStudio } from './opened-studio.ts'
 import { sheet } from './sheet.ts'
-import { dismiss, dropPaths } from './studio-page.ts'
+import { areaNames, dismiss, dropPaths } from './studio-page.ts'
 
 const SOON = { timeout: 60_000 }
 const studio = openStudio({ width: 800, height: 400 })
@@ -15,7 +15,7 @@ let page: Page
 const at = (name: string) => join(studio.folder, name)
 const button = (name: string | RegExp) => page.getByRole('button', { name })
 const note = (text: string) => page.getByRole('status').getByText(text).waitFor()
-const areas = () => page.locator('#areas .row label').allTextContents()
+const areas = () => areaNames(page)
 
 beforeAll(async () => {
   page = studio.page
@@ -50,7 +50,7 @@ test('a full disk keeps the work in memory, and saves it once there is room', as
   await session.send('Storage.overrideQuotaForOrigin', { origin, quotaSize: 1000 })
   await dropPaths(page, [at('plain.glb')], 'Plain')
   await expect.poll(async () => (await areas()).length, { timeout: 300_000 }).toBeGreaterThan(5)
-  await button('New area').click()
+  await button('New region').click()
   await page.getByText('the browser has no room left for this project; free some disk space').waitFor()
   expect(await areas()).toContain('area')
   await session.send('Storage.overrideQuotaForOrigin', { origin })
@@ -60,7 +60,7 @@ test('a full disk keeps the work in memory, and saves it once there is room', as
 test('an avatar without blendshapes is reported, and can be painted', async () => {
   await dropPaths(page, [at('still.glb')], 'Still')
   await note('has no blendshapes: it can be painted, but no expression moves it')
-  await button('New area').click()
+  await button('New region').click()
   await expect.poll(areas, SOON).toEqual(['area'])
 })
 
@@ -76,7 +76,7 @@ test('a model that is no face is reported, and can be painted', async () => {
     .getByText(/no wrinkles can be made|autoWrinkles/)
     .waitFor()
   await button('Dismiss').click()
-  await button('New area').click()
+  await button('New region').click()
   await expect.poll(areas, SOON).toEqual(['area'])
 })
 

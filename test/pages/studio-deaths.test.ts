@@ -6,10 +6,13 @@ import { writePlain } from './avatars.ts'
 import { openStudio } from './opened-studio.ts'
 import {
   areaChoice,
+  areaNames,
   button,
+  chooseTool,
   dismiss,
   dropPlain,
   expectPicture,
+  exportFile,
   meanPngDifference,
   shootAside,
   startDrawingLines,
@@ -76,7 +79,7 @@ beforeAll(async () => {
   await page.getByRole('slider', { name: /^Divider/ }).press('Home')
 })
 
-const areas = () => page.locator('#areas .row label').allTextContents()
+const areas = () => areaNames(page)
 const note = (text: string) => page.getByRole('status').getByText(text).waitFor()
 
 async function loseGraphics(): Promise<void> {
@@ -135,39 +138,39 @@ async function expectSameStroke(label: string): Promise<void> {
 
 test('a brush stroke and the next one are complete if the graphics are lost during the first stroke', async () => {
   await areaChoice(page, 'chin').check()
-  await button(page, 'Paint').click()
+  await chooseTool(page, 'Paint')
   await expectSameStroke('Paint chin')
-  await button(page, 'Paint').click()
+  await chooseTool(page, 'Select')
+  await button(page, 'Whole face').click()
 })
 
 test('a line and the next one are complete if the graphics are lost while drawing the first line', async () => {
-  const pointer = page.getByRole('group', { name: 'Pointer' })
   const neutral = await shootAside(page)
-  await page.getByRole('button', { name: 'Surprised' }).click()
+  await button(page, 'Surprised').click()
   // Waits for a frame in which the face looks surprised.
   await expect
     .poll(async () => meanPngDifference(neutral, await shootAside(page)), SOON)
     .toBeGreaterThan(50 * SAME)
   await startDrawingLines(page)
   await expectSameStroke('Draw a line')
-  await pointer.getByText('Off', { exact: true }).click()
+  await chooseTool(page, 'Select')
 })
 
 test('a worker that ends while making wrinkles is reported; the work stays, and the next try succeeds', async () => {
   const [names, before] = [await areas(), await shootAside(page)]
   await page.evaluate(() => window.endNextWorker('auto/worker'))
-  await button(page, 'Draw others').click()
+  await button(page, 'Shuffle').click()
   await dismiss(page, 'the worker ended before its work was done')
   expect(await areas()).toEqual(names)
   await expectPicture(page, before, SAME)
-  await button(page, 'Draw others').click()
+  await button(page, 'Shuffle').click()
   await undoIs(page, 'Make automatic wrinkles')
   await button(page, 'Undo').click()
   await expectPicture(page, before, SAME)
 })
 
 test('a worker that ends while drawing is reported and restarted', async () => {
-  await button(page, 'New area').click()
+  await button(page, 'New region').click()
   await expect.poll(areas, SOON).toContain('area')
   expect(await page.evaluate(() => window.endWorker('draw/worker'))).toBeGreaterThan(0)
   await dismiss(page, 'the worker that draws strokes has ended; it is started again')
@@ -176,12 +179,10 @@ test('a worker that ends while drawing is reported and restarted', async () => {
 })
 
 test('a worker that ends while packing is reported, and the next try makes the file', async () => {
-  await page.getByRole('heading', { name: 'Export' }).click()
   await page.evaluate(() => window.endNextWorker('export/worker'))
-  await button(page, 'Make the file').click()
+  await button(page, 'Export').click()
   await dismiss(page, 'the worker that packs faces has ended')
   expect(await page.getByText('Packing and checking').count()).toBe(0)
-  await button(page, 'Make the file').click()
-  await button(page, 'Save plain-wrinkled.glb').waitFor()
+  await exportFile(page)
   expect(await areas()).toContain(AREA)
 })

@@ -3,7 +3,16 @@
 import type { Page } from 'playwright-core'
 import sharp from 'sharp'
 import { expect } from 'vitest'
-import { brightnessDeviation, expectValue, meanPngDifference, shootStage, slider } from './studio-page.ts'
+import {
+  brightnessDeviation,
+  button,
+  chooseLook,
+  expectValue,
+  meanPngDifference,
+  shootStage,
+  showSliders,
+  slider,
+} from './studio-page.ts'
 
 /** Expects a different picture for each look of the skin, and the first picture again at the end. */
 export async function showsLooks(page: Page, backend: string): Promise<void> {
@@ -11,22 +20,23 @@ export async function showsLooks(page: Page, backend: string): Promise<void> {
   expect(await page.textContent('#adapter')).not.toBe('')
   const shaded = await shootStage(page)
   expect(await brightnessDeviation(shaded)).toBeGreaterThan(30)
-  const show = page.getByRole('group', { name: 'Show' })
-  for (const look of ['Normals', 'Areas', 'Wires']) {
-    await show.getByText(look).click()
+  for (const look of ['Normals', 'Regions', 'Wires']) {
+    await chooseLook(page, look)
     expect(await meanPngDifference(shaded, await shootStage(page)), look).toBeGreaterThan(2)
   }
-  await show.getByText('Areas').click()
+  await chooseLook(page, 'Regions')
   const all = await shootStage(page)
-  await page.getByLabel('Area', { exact: true }).selectOption('nose')
+  await page.getByLabel('Region', { exact: true }).selectOption('nose')
   expect(await meanPngDifference(all, await shootStage(page)), 'one area').toBeGreaterThan(0.5)
-  await show.getByText('Shaded').click()
+  await page.keyboard.press('Escape')
+  await chooseLook(page, 'Shaded')
   expect(await meanPngDifference(shaded, await shootStage(page)), 'shaded again').toBe(0)
 }
 
 /** Expects that expressions and sliders move the face, and that drivers activate the areas. */
 export async function movesFace(page: Page): Promise<void> {
-  await page.getByRole('button', { name: 'Surprised' }).click()
+  await showSliders(page)
+  await button(page, 'Surprised').click()
   const surprised = await shootStage(page)
   await page.getByRole('button', { name: 'Happy' }).click()
   await expectValue(slider(page, 'crowsFeetLeft'), 1)
@@ -47,7 +57,7 @@ export async function movesFace(page: Page): Promise<void> {
   await expectValue(slider(page, 'foreheadRight'), (0.8 - 0.15) / 0.85)
   await expectValue(slider(page, 'foreheadLeft'), 1)
 
-  await page.getByRole('button', { name: 'Reset all areas' }).click()
+  await page.getByRole('button', { name: 'Reset all regions' }).click()
   await expectValue(slider(page, 'crowsFeetLeft'), 0)
   await page.getByRole('button', { name: 'Surprised' }).click()
   await expectValue(slider(page, 'jawOpen'), 0.25)
@@ -55,12 +65,14 @@ export async function movesFace(page: Page): Promise<void> {
   expect(await meanPngDifference(surprised, await shootStage(page)), 'surprised again').toBe(0)
 }
 
+async function savePicture(page: Page): Promise<void> {
+  await button(page, 'Share').click()
+  await page.getByRole('button', { name: 'Save picture' }).click()
+}
+
 /** Expects that the saved picture equals the stage. */
 export async function savesPicture(page: Page): Promise<void> {
-  const [download] = await Promise.all([
-    page.waitForEvent('download'),
-    page.getByRole('button', { name: 'Screenshot' }).click(),
-  ])
+  const [download] = await Promise.all([page.waitForEvent('download'), savePicture(page)])
   expect(download.suggestedFilename()).toMatch(/^furrow-human-.*\.png$/)
   const file = await download.path()
   const { format, width } = await sharp(file).metadata()

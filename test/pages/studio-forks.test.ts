@@ -4,7 +4,7 @@ import type { Locator, Page } from 'playwright-core'
 import { beforeAll, expect, test } from 'vitest'
 import { writeNone } from './avatars.ts'
 import { openStudio } from './opened-studio.ts'
-import { button, eventually, startDrawingLines, undoIs } from './studio-page.ts'
+import { button, chooseTool, eventually, startDrawingLines, undoIs } from './studio-page.ts'
 
 type Point = readonly [x: number, y: number]
 
@@ -13,8 +13,6 @@ let page: Page
 /** Position of the fork on the page, CSS pixels. */
 let fork: Point
 
-const pointer = (mode: 'Off' | 'Edit' | 'Draw') =>
-  page.getByRole('group', { name: 'Pointer' }).getByText(mode, { exact: true }).click()
 const lines = () => page.getByLabel('Line', { exact: true })
 /** Buttons of the forks on the chosen line. */
 const forks = () => page.getByRole('button', { name: /^Point \d+ of \d+, a fork$/ })
@@ -82,16 +80,16 @@ beforeAll(async () => {
   // The skin above the forehead has no lines.
   await drag(at(0.44, 0.16), at(0.5, 0.15), at(0.56, 0.16))
   await undoIs(page, 'Draw a line')
-  await pointer('Edit')
+  await chooseTool(page, 'Bend')
   const count = Number(
     (await page.getByRole('button', { name: /^Point 1 of/ }).getAttribute('aria-label'))!.at(-1),
   )
   await page.getByRole('button', { name: `Point ${Math.ceil(count / 2)} of ${count}` }).click()
   fork = await chosenHandle(face())
-  await pointer('Draw')
+  await chooseTool(page, 'Draw a wrinkle')
   await drag([fork[0] + 20, fork[1] - 30], [fork[0] + 10, fork[1] - 15], fork)
   await drag([fork[0] - 15, fork[1] + 35], [fork[0] - 8, fork[1] + 18], fork)
-  await pointer('Edit')
+  await chooseTool(page, 'Bend')
 })
 
 test('lines that end on another line form a fork with it', async () => {

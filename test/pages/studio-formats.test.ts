@@ -3,7 +3,7 @@ import { expect, test } from 'vitest'
 import { openStudio } from './opened-studio.ts'
 import { dropPaths, meanPngDifference, shootPlainHuman, shootStage } from './studio-page.ts'
 
-const studio = openStudio({ width: 800, height: 400 })
+const studio = openStudio({ width: 1000, height: 560 })
 
 test('avatars in other formats are shown when dropped, framed at the face', async () => {
   const { page, folder } = studio

@@ -7,14 +7,26 @@ import { dirname, join } from 'node:path'
 import { fileURLToPath } from 'node:url'
 import { isDeepStrictEqual } from 'node:util'
 import { strFromU8, unzipSync } from 'fflate'
-import type { Browser, BrowserContext, Download, Page } from 'playwright-core'
+import type { Browser, BrowserContext, Page } from 'playwright-core'
 import { type PreviewServer, preview, type ViteDevServer } from 'vite'
 import { afterAll, beforeAll, expect, test } from 'vitest'
 import { Workshop } from '../unit/cli/workshop.ts'
 import { writeAvatars } from './avatars.ts'
 import { openBrowser } from './browser.ts'
 import { serveStudio } from './opened-studio.ts'
-import { dropPaths, expectValue, slider, waitUntilReady } from './studio-page.ts'
+import {
+  areaNames,
+  chooseTool,
+  dropPaths,
+  expectValue,
+  exportFile,
+  openRecent,
+  projectCard,
+  saveProject,
+  showSliders,
+  slider,
+  waitUntilReady,
+} from './studio-page.ts'
 
 const ROOT = fileURLToPath(new URL('../../', import.meta.url))
 const CONFIG = join(ROOT, 'studio/vite.config.ts')
@@ -50,12 +62,13 @@ async function openStudio(url: string): Promise<Page> {
 
 const errors = (of = page) => of.textContent('#errors')
 const button = (name: string | RegExp, of = page) => of.getByRole('button', { name })
-const areas = (of = page) => of.locator('#areas .row label').allTextContents()
+const areas = (of = page) => areaNames(of)
 const waitForWrinkles = (of = page) => of.getByText('Making wrinkles').waitFor({ state: 'detached' })
 
-async function download(name: string | RegExp): Promise<Download> {
-  const [file] = await Promise.all([page.waitForEvent('download'), button(name).click()])
-  return file
+async function copyLink(of: Page): Promise<void> {
+  await button('Share', of).click()
+  await of.getByRole('button', { name: 'Copy link' }).click()
+  await of.keyboard.press('Escape')
 }
 
 /** Packs a subfolder of the temporary folder with `furrow pack`. */
@@ -71,10 +84,8 @@ test('a project is saved as a .zip, from which furrow pack makes the same bytes 
   await page.locator('#areas .row').first().waitFor()
   await waitForWrinkles()
   names = await areas()
-  await page.getByRole('heading', { name: 'Export' }).click()
-  await button('Make the file').click()
-  const exported = readFileSync(await (await download('Save plain-wrinkled.glb')).path())
-  const zip = await download('Save project (.zip)')
+  const exported = readFileSync(await (await exportFile(page)).path())
+  const zip = await saveProject(page)
   expect(zip.suggestedFilename()).toBe('plain.zip')
   await zip.saveAs(join(folder, 'plain.zip'))
   for (const [path, bytes] of Object.entries(unzipSync(readFileSync(join(folder, 'plain.zip'))))) {
@@ -91,8 +102,7 @@ test.each(['plain.zip', 'plain'])('%s opens with the same work', async (path) =>
   await dropPaths(page, [join(folder, path)], 'Plain')
   await expect.poll(areas, { timeout: 300_000 }).toEqual(names)
   expect(await page.getByRole('slider', { name: 'Age' }).inputValue()).toBe('45')
-  await page.getByRole('heading', { name: 'Export' }).click()
-  const again = unzipSync(readFileSync(await (await download('Save project (.zip)')).path()))
+  const again = unzipSync(readFileSync(await (await saveProject(page)).path()))
   const before = unzipSync(readFileSync(join(folder, 'plain.zip')))
   expect(Object.keys(again)).toEqual(Object.keys(before))
   // Leaves out maps, which the studio draws again from the strokes.
@@ -115,14 +125,12 @@ test('a project is saved to a folder, and again with one click after a reload', 
         (await navigator.storage.getDirectory()).getDirectoryHandle('my project', { create: true }),
     })
   })
-  const openExport = () => page.getByRole('heading', { name: 'Export' }).click()
   await page.reload()
   await waitUntilReady(page)
   await dropPaths(page, [join(folder, 'plain.zip')], 'Plain')
   await expect.poll(areas, { timeout: 300_000 }).toEqual(names)
-  await openExport()
-  await button('Make the file').click()
-  const face = readFileSync(await (await download('Save plain-wrinkled.glb')).path())
+  const face = readFileSync(await (await exportFile(page)).path())
+  await projectCard(page)
   await button('Save to folder…').click()
   await page.getByText('Saved to the folder my project').waitFor()
   const written = await readProject()
@@ -138,13 +146,10 @@ test('a project is saved to a folder, and again with one click after a reload', 
 
   await page.reload()
   await waitUntilReady(page)
-  await page.getByRole('heading', { name: 'Recent work' }).click()
-  await button(/^plain/)
-    .first()
-    .click()
+  await openRecent(page, /^plain/)
   await expect.poll(areas, { timeout: 300_000 }).toEqual(names)
-  await button('New area').click()
-  await openExport()
+  await button('New region').click()
+  await projectCard(page)
   await button('Save to my project').click()
   await page.getByText('Saved to the folder my project').waitFor()
   expect(Object.keys(await readProject())).toContain('areas/area.png')
@@ -181,8 +186,7 @@ test('a hand-made folder of wrinkles can be edited, and a line can be drawn over
   await button('Edit wrinkles').waitFor({ state: 'detached' })
   expect(await areas()).toEqual(['everywhere'])
   // The studio draws the normal map again, with the line. The new map must have the size of the folder's other maps.
-  await page.getByRole('heading', { name: 'Lines' }).waitFor()
-  await page.locator('label', { hasText: /^Draw$/ }).click()
+  await chooseTool(page, 'Draw a wrinkle')
   const { x, y, width, height } = (await page.locator('#viewport').boundingBox())!
   await page.mouse.move(x + 0.45 * width, y + 0.35 * height)
   await page.mouse.down()
@@ -197,19 +201,21 @@ test('a link contains expression, camera and avatar', async () => {
   await context.grantPermissions(['clipboard-read', 'clipboard-write'])
   await page.goto(address)
   await waitUntilReady(page)
+  await showSliders(page)
   await page.getByLabel('Filter blendshapes').fill('jawOpen')
   await slider(page, 'jawOpen').fill('0.4')
   await page.locator('#viewport').press('ArrowLeft')
-  await button('Copy link').click()
+  await copyLink(page)
   await page.getByText('Copied the link: it opens this avatar').waitFor()
   const link = await page.evaluate(() => navigator.clipboard.readText())
   expect(link).toContain('#model=faces/human.glb&pose=')
   expect(link.length).toBeLessThan(1000)
 
   const other = await openStudio(link)
+  await showSliders(other)
   await other.getByLabel('Filter blendshapes').fill('jawOpen')
   await expectValue(slider(other, 'jawOpen'), 0.4)
-  await button('Copy link', other).click()
+  await copyLink(other)
   await other.getByText('Copied the link').waitFor()
   expect(await other.evaluate(() => navigator.clipboard.readText())).toBe(link)
   expect(await errors(other)).toBe('')
@@ -236,7 +242,7 @@ test('a link contains the options of automatic wrinkles', async () => {
   await expectValue(other.getByRole('slider', { name: 'Age' }), 63)
   await expectValue(other.getByRole('slider', { name: 'Strength' }), 0.5)
   await waitForWrinkles(other)
-  await button('Copy link', other).click()
+  await copyLink(other)
   await expect.poll(() => other.url()).toContain('auto=63,0.5,512,7')
   await other.close()
 })
@@ -258,23 +264,20 @@ test('a tab says that another tab has its project open, and can keep a copy or t
   await waitUntilReady(page)
   await dropPaths(page, [join(folder, 'plain.zip')], 'Plain')
   await expect.poll(areas, { timeout: 300_000 }).toEqual(names)
-  await button('New area').click()
+  await button('New region').click()
   await page.getByText('Kept in this browser').waitFor()
   const second = await openStudio(address)
-  const openRecent = async () => {
-    await second.getByRole('heading', { name: 'Recent work' }).click()
-    await button(/^plain/, second)
-      .first()
-      .click()
+  const openThere = async () => {
+    await openRecent(second, /^plain/)
     await second.getByText('Open in another tab, which alone keeps it').waitFor()
   }
-  await openRecent()
+  await openThere()
   await button('Go on here', second).click()
   await second.getByText('Kept in this browser').waitFor()
   await expect.poll(() => areas(second), { timeout: 60_000 }).toEqual(await areas())
   await page.getByText('Open in another tab, which alone keeps it').waitFor()
   // The first tab saves its changes as a copy.
-  await button('New area').click()
+  await button('New region').click()
   expect(await button('Go on here').count()).toBe(0)
   await button('Keep a copy').click()
   await page.getByText('Kept in this browser').waitFor()
@@ -305,8 +308,8 @@ test('the built page works without a network', async () => {
   await other.locator('#areas .row').first().waitFor()
   await waitForWrinkles(other)
   expect((await areas(other)).length).toBe(names.length)
-  await other.getByRole('heading', { name: 'Export' }).click()
-  await button('Make the file', other).click()
+  await exportFile(other)
+  await button('Exported file', other).click()
   await other.getByText('The wrinkles have no errors.').waitFor()
   expect(await errors(other)).toBe('')
   await context.setOffline(false)

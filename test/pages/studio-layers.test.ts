@@ -13,7 +13,10 @@ import {
   dropPlain,
   eventually,
   expectPicture,
+  exportFile,
   shootAside,
+  showSliders,
+  showTab,
   slider,
   undoIs,
 } from './studio-page.ts'
@@ -28,7 +31,7 @@ beforeAll(async () => {
 })
 
 test('layers can be added, renamed, moved and undone; a map can be imported, and saved as an image', async () => {
-  await page.locator('summary', { hasText: /^Layers$/ }).click()
+  await showTab(page, 'Maps')
   await button(page, 'New layer').click()
   await page.locator('.layer summary', { hasText: 'layer' }).click()
   await page.getByLabel('Name of layer layer').fill('sweat')
@@ -62,6 +65,7 @@ test('layers can be added, renamed, moved and undone; a map can be imported, and
 })
 
 test('an imported blood map reddens or pales the skin where an area shows, and is exported', async () => {
+  await showSliders(page)
   await page.locator('#filter').fill('browInnerUp')
   await slider(page, 'browInnerUp').fill('1')
   const before = await shootAside(page)
@@ -91,17 +95,12 @@ test('an imported blood map reddens or pales the skin where an area shows, and i
   await expectPicture(page, before)
   await importAll('#fff')
   await reddens(0.05, 255)
-  await page.locator('summary', { hasText: /^Export$/ }).click()
-  await button(page, 'Make the file').click()
-  const save = button(page, 'Save plain-wrinkled.glb')
-  await save.waitFor()
-  const [file] = await Promise.all([page.waitForEvent('download'), save.click()])
+  const file = await exportFile(page)
   const document = await readDocument({ name: 'face.glb', bytes: readFileSync(await file.path()) })
   for (const { maps } of document!.layers) {
     const [{ min }] = (await sharp(maps.blood!.bytes).stats()).channels
     expect(min).toBe(255)
   }
-  await page.locator('summary', { hasText: /^Export$/ }).click()
   while (await button(page, 'Undo').isEnabled()) await button(page, 'Undo').click()
   await slider(page, 'browInnerUp').fill('0')
   await page.locator('#filter').fill('')

@@ -5,7 +5,7 @@ import sharp from 'sharp'
 import { beforeAll, describe, expect, test } from 'vitest'
 import { writeNone } from './avatars.ts'
 import { openStudio } from './opened-studio.ts'
-import { CUT_CONTROLS, waitUntilReady } from './studio-page.ts'
+import { CUT_CONTROLS, prefer, waitUntilReady } from './studio-page.ts'
 
 const WINDOW = { width: 1280, height: 800 }
 
@@ -16,7 +16,7 @@ beforeAll(() => {
   ;({ page } = studio)
 })
 
-const choose = (name: string) => page.getByRole('group', { name: 'Page' }).getByText(name).click()
+const choose = (name: string) => prefer(page, 'Theme', name)
 
 /** Returns the mean brightness of an element and everything drawn over it, 0..255. */
 async function brightness(selector: string): Promise<number> {
@@ -24,7 +24,7 @@ async function brightness(selector: string): Promise<number> {
   return (await picture.stats()).channels[0].mean
 }
 
-const isLight = async () => (await brightness('#panel')) > 180
+const isLight = async () => (await brightness('#inspector')) > 180
 
 describe('light and dark', () => {
   test('follow the system, and the stage stays dark', async () => {
@@ -43,7 +43,6 @@ describe('light and dark', () => {
     expect(await isLight()).toBe(false)
     await page.reload()
     await waitUntilReady(page)
-    expect(await page.getByRole('radio', { name: 'Dark' }).isChecked()).toBe(true)
     expect(await isLight()).toBe(false)
     await page.emulateMedia({ colorScheme: 'dark' })
     await choose('Light')
@@ -82,13 +81,19 @@ test('on a high-density screen the texture fills its view', async () => {
 
 test.each([390, 640, 768, 1280, 1920, 2560])('all content is in view at %i pixels', async (width) => {
   await page.setViewportSize({ width, height: 800 })
-  const edit = page.getByRole('button', { name: 'Edit wrinkles' })
-  if (await edit.isVisible()) await edit.click()
-  await page.getByRole('radio', { name: 'Edit area upperLip' }).check()
-  expect(await page.evaluate(CUT_CONTROLS)).toEqual([])
-  const panel = await page.evaluate(() => {
-    const { scrollWidth, clientWidth } = document.querySelector('#panel')!
-    return scrollWidth - clientWidth
-  })
-  expect(panel).toBe(0)
+  const tabs = page.getByRole('navigation', { name: 'Panels' }).getByRole('button')
+  const isSmall = await tabs.first().isVisible()
+  for (const [i, id] of ['inspector', 'drawer', 'poses'].entries()) {
+    const tab = tabs.nth([1, 0, 2][i])
+    if (isSmall && (await tab.getAttribute('aria-expanded')) === 'false') await tab.click()
+    const edit = page.getByRole('button', { name: 'Edit wrinkles' })
+    if (await edit.isVisible()) {
+      await edit.click()
+      await page.getByRole('tab', { name: 'Look' }).waitFor()
+    }
+    if (id === 'drawer') await page.getByRole('radio', { name: / upperLip$/ }).check()
+    expect(await page.evaluate(CUT_CONTROLS), id).toEqual([])
+    const overflow = await page.locator(`#${id}`).evaluate((panel) => panel.scrollWidth - panel.clientWidth)
+    expect(overflow, id).toBe(0)
+  }
 })

@@ -7,12 +7,15 @@ import {
   areaChoice,
   blackPng,
   button,
+  chooseLook,
+  chooseTool,
   dropPlain,
   eventually,
   expectPicture,
   meanPngDifference,
   shootAside,
   shootStage,
+  showSliders,
   slider,
   undoIs,
 } from './studio-page.ts'
@@ -33,8 +36,8 @@ const texture = () => page.getByRole('application', { name: /^Texture/ })
 
 test('the texture is shown next to the face, moves by keys and wheel, and resets', async () => {
   const { width } = (await page.locator('#stage').boundingBox())!
-  await button(page, 'Texture').click()
   await areaChoice(page, AREA).check()
+  await button(page, 'Texture').click()
   const [stage, view] = await Promise.all([page.locator('#stage').boundingBox(), texture().boundingBox()])
   expect(stage!.width).toBeCloseTo(width / 2, 0)
   expect(view!.x).toBeCloseTo(stage!.x + stage!.width, 0)
@@ -53,7 +56,7 @@ test('the texture is shown next to the face, moves by keys and wheel, and resets
 })
 
 test('a stroke on the texture paints the same place on the face and in the thumbnail', async () => {
-  await button(page, 'Paint').click()
+  await chooseTool(page, 'Paint')
   const thumbnail = () =>
     areaChoice(page, AREA).evaluate((radio) => (radio.nextElementSibling as HTMLCanvasElement).toDataURL())
   const [before, small] = [await shootAside(page), await thumbnail()]
@@ -69,12 +72,10 @@ test('a stroke on the texture paints the same place on the face and in the thumb
   await button(page, 'Undo').click()
   await expectPicture(page, before)
   expect(await thumbnail()).toBe(small)
-  await button(page, 'Paint').click()
 })
 
 test('a polygon on the texture paints its inside on the face, and is outlined while drawn', async () => {
-  await button(page, 'Paint').click()
-  await page.getByText('Polygon', { exact: true }).click()
+  await chooseTool(page, 'Polygon')
   const [face, map] = [await shootAside(page), await shootTexture()]
   const { x, y, width, height } = (await texture().boundingBox())!
   const corners = [
@@ -99,12 +100,11 @@ test('a polygon on the texture paints its inside on the face, and is outlined wh
   await button(page, 'Undo').click()
   await expectPicture(page, face)
   await eventually(async () => expect(await meanPngDifference(map, await shootTexture())).toBe(0))
-  await page.getByText('Brush', { exact: true }).first().click()
-  await button(page, 'Paint').click()
+  await chooseTool(page, 'Select')
 })
 
 test('a drag beside the skin moves the texture and paints nothing', async () => {
-  await button(page, 'Paint').click()
+  await chooseTool(page, 'Paint')
   const before = await shootTexture()
   const { x, y, width, height } = (await texture().boundingBox())!
   await page.mouse.move(x + 0.5 * width, y + 0.03 * height)
@@ -115,15 +115,14 @@ test('a drag beside the skin moves the texture and paints nothing', async () => 
     expect(await meanPngDifference(before, await shootTexture())).toBeGreaterThan(3),
   )
   expect(await button(page, 'Undo').isDisabled()).toBe(true)
-  await button(page, 'Paint').click()
+  await chooseTool(page, 'Select')
   await button(page, 'Texture').click()
   expect(await texture().isVisible()).toBe(false)
 })
 
 test('an area is painted by a polygon, filled from an image, and mirrored', async () => {
   await areaChoice(page, 'crowsFeetLeft').check()
-  await button(page, 'Paint').click()
-  await page.getByText('Polygon', { exact: true }).click()
+  await chooseTool(page, 'Polygon')
   const before = await shootAside(page)
   const { x, y, width, height } = (await page.locator('#viewport').boundingBox())!
   const corners = [
@@ -146,7 +145,7 @@ test('an area is painted by a polygon, filled from an image, and mirrored', asyn
   const [[u, v]] = corners
   await page.mouse.click(x + u * width + 2, y + v * height - 2)
   expect(await button(page, 'Clear').isDisabled()).toBe(true)
-  await button(page, 'Mirror').click()
+  await button(page, 'Copy to the other side').click()
   await undoIs(page, 'Mirror crowsFeetLeft')
   expect(await areaChoice(page, 'crowsFeetRight').isChecked()).toBe(true)
   const input = page.getByLabel('Fill crowsFeetRight from an image')
@@ -155,30 +154,27 @@ test('an area is painted by a polygon, filled from an image, and mirrored', asyn
   while (await button(page, 'Undo').isEnabled()) await button(page, 'Undo').click()
   await areaChoice(page, 'crowsFeetLeft').check()
   await expectPicture(page, before)
-  await page.getByText('Brush', { exact: true }).first().click()
-  await button(page, 'Paint').click()
+  await chooseTool(page, 'Select')
 })
 
 test('the face is shown as clay, and by its strain, which follows the pose', async () => {
   const shaded = await shootAside(page)
-  const show = page.getByRole('group', { name: 'Show' })
-  await show.getByText('Clay').click()
+  await chooseLook(page, 'Relief')
   expect(await meanPngDifference(shaded, await shootAside(page))).toBeGreaterThan(2)
-  await show.getByText('Strain').click()
+  await chooseLook(page, 'Strain')
   const rest = await shootAside(page)
   expect(await meanPngDifference(shaded, rest)).toBeGreaterThan(2)
-  await page.getByRole('button', { name: 'Surprised' }).click()
+  await button(page, 'Surprised').click()
   expect(await meanPngDifference(rest, await shootAside(page))).toBeGreaterThan(2)
-  await page.getByRole('button', { name: 'Neutral' }).click()
+  await button(page, 'Neutral').click()
   await expectPicture(page, rest)
-  await show.getByText('Shaded').click()
+  await chooseLook(page, 'Shaded')
   await expectPicture(page, shaded)
 })
 
 test('the onset maps of automatic wrinkles are shown, one layer at a time', async () => {
   const shaded = await shootAside(page)
-  const show = page.getByRole('group', { name: 'Show' })
-  await show.getByText('Onset').click()
+  await chooseLook(page, 'Onset')
   const layer = page.getByLabel('Onset of', { exact: true })
   const names = await layer.locator('option').allInnerTexts()
   expect(names.slice(0, 2)).toEqual(['auto1', 'auto2'])
@@ -187,7 +183,7 @@ test('the onset maps of automatic wrinkles are shown, one layer at a time', asyn
   await layer.selectOption('auto2')
   expect(await page.textContent('#side-with')).toBe('Onset of auto2')
   expect(await meanPngDifference(first, await shootAside(page))).toBeGreaterThan(0.1)
-  await show.getByText('Shaded').click()
+  await chooseLook(page, 'Shaded')
   await expectPicture(page, shaded)
 })
 
@@ -209,10 +205,11 @@ test('the light turns by keys and by dragging its ball; nothing turns on its own
   await turned()
   await ball.press('Home')
   await expectPicture(page, before)
-  expect(await page.getByLabel('Turntable').isDisabled()).toBe(true)
+  expect(await button(page, 'Turntable').isDisabled()).toBe(true)
 })
 
 test('the face moves, lit from the side, for an area that is hovered or focused, and then returns to its pose', async () => {
+  await showSliders(page)
   // A search unfolds the groups that contain results.
   await page.locator('#filter').fill('o')
   await slider(page, 'jawOpen').fill('0.3')

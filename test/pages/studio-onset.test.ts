@@ -10,9 +10,12 @@ import { openStudio } from './opened-studio.ts'
 import { runFurrow } from './run-furrow.ts'
 import {
   button,
+  chooseLook,
+  chooseTool,
   dropPlain,
   eventually,
   expectPicture,
+  exportFile,
   meanPngDifference,
   shootAside,
   slider,
@@ -20,15 +23,12 @@ import {
   undoIs,
 } from './studio-page.ts'
 
-const studio = openStudio({ width: 900, height: 560 }, writePlain)
+const studio = openStudio({ width: 1200, height: 640 }, writePlain)
 let page: Page
 /** Picture of the onset of the automatic wrinkles. */
 let automatic: Buffer
 
-const pointer = (mode: string) =>
-  page.getByRole('group', { name: 'Pointer' }).getByText(mode, { exact: true }).click()
 const lines = () => page.getByLabel('Line', { exact: true })
-const look = (name: string) => page.getByRole('group', { name: 'Show' }).getByText(name).click()
 const changed = async () => {
   await eventually(async () =>
     expect(await meanPngDifference(automatic, await shootAside(page))).toBeGreaterThan(0.01),
@@ -40,27 +40,28 @@ beforeAll(async () => {
   await dropPlain(page, studio.folder, 'foreheadInnerLeft')
   await page.getByText('Making wrinkles').waitFor({ state: 'detached' })
   await page.getByRole('slider', { name: /^Divider/ }).press('Home')
-  await look('Onset')
-  const forehead = await lineNamed(/^forehead/)
+  await chooseLook(page, 'Onset')
+  await page.keyboard.press('Escape')
+  const forehead = await lineNamed(/forehead/)
   expect(forehead).toBeGreaterThan(0)
 })
 
 /** Shows the lines, and returns the index of the first option whose text matches. */
 async function lineNamed(name: RegExp): Promise<number> {
   await startDrawingLines(page)
-  await pointer('Edit')
+  await chooseTool(page, 'Bend')
   const names = await lines().locator('option').allTextContents()
-  await pointer('Off')
+  await chooseTool(page, 'Select')
   return names.findIndex((each) => name.test(each))
 }
 
 /** Runs a task with a line chosen, and hides the lines afterwards. */
 async function edit(name: RegExp, task: () => Promise<void>): Promise<void> {
   const index = await lineNamed(name)
-  await pointer('Edit')
+  await chooseTool(page, 'Bend')
   await lines().selectOption({ index })
   await task()
-  await pointer('Off')
+  await chooseTool(page, 'Select')
 }
 
 test('the view of the onset shows a deeper, a bent and a deleted line, and undo and redo', async () => {
@@ -69,7 +70,7 @@ test('the view of the onset shows a deeper, a bent and a deleted line, and undo 
     await button(page, 'Undo').click()
     await expectPicture(page, automatic)
   }
-  await edit(/^forehead/, async () => {
+  await edit(/forehead/, async () => {
     await slider(page, 'Depth, mm').fill('3')
     await slider(page, 'Depth, mm').dispatchEvent('change')
     await undoIs(page, 'Change the depth of a line')
@@ -79,19 +80,19 @@ test('the view of the onset shows a deeper, a bent and a deleted line, and undo 
   await button(page, 'Redo').click()
   await changed()
   await undone()
-  await edit(/^forehead/, async () => {
+  await edit(/forehead/, async () => {
     await page.getByRole('button', { name: /^Point 2 of/ }).press('Shift+ArrowUp')
     await undoIs(page, 'Move a point')
   })
   await changed()
   await undone()
-  await edit(/^forehead/, () => button(page, 'Delete line').click())
+  await edit(/forehead/, () => button(page, 'Delete line').click())
   await changed()
   await undone()
 })
 
 test('the exported onset equals what furrow strokes draws from the exported lines', async () => {
-  await edit(/^forehead/, async () => {
+  await edit(/forehead/, async () => {
     await slider(page, 'Depth, mm').fill('2')
     await slider(page, 'Depth, mm').dispatchEvent('change')
     await slider(page, 'Width, mm').fill('5')
@@ -99,12 +100,9 @@ test('the exported onset equals what furrow strokes draws from the exported line
     await page.getByRole('button', { name: /^Point 3 of/ }).press('Shift+ArrowDown')
     await undoIs(page, 'Move a point')
   })
-  await edit(/^crowsFeet/, () => button(page, 'Delete line').click())
-  await edit(/^chin/, () => button(page, 'Mirror').click())
-  await page.getByRole('heading', { name: 'Export' }).click()
-  await button(page, 'Make the file').click()
-  const save = button(page, 'Save plain-wrinkled.glb')
-  const [download] = await Promise.all([page.waitForEvent('download'), save.click()])
+  await edit(/^Crow/, () => button(page, 'Delete line').click())
+  await edit(/^Chin/, () => button(page, 'Copy to the other side').click())
+  const download = await exportFile(page)
   writeFileSync(join(studio.folder, 'edited.glb'), readFileSync(await download.path()))
   const run = async (...words: string[]) => {
     const { code, stderr } = await runFurrow(studio.folder, {}, ...words)

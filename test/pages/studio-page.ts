@@ -1,7 +1,7 @@
 /** Functions that operate the studio's page, and read its state. */
 
 import { join } from 'node:path'
-import type { Locator, Page } from 'playwright-core'
+import type { Download, Locator, Page } from 'playwright-core'
 import sharp from 'sharp'
 import { expect, vi } from 'vitest'
 import { dropPaths as dropOnPage } from '../../scripts/lib/drop-paths.mjs'
@@ -15,12 +15,13 @@ export async function waitUntilReady(page: Page, backend = ''): Promise<void> {
   await page.locator('#stage[aria-busy=false]').waitFor()
 }
 
-/** JavaScript that unfolds all sections of the panel, and returns the HTML of controls that are cut off. */
+/** JavaScript that unfolds all sections, and returns the HTML of controls that are cut off. */
 export const CUT_CONTROLS = `(() => {
   for (const details of document.querySelectorAll('details')) details.open = true
+  // The expressions scroll sideways.
   const isCut = (element) =>
     element.checkVisibility() &&
-    !element.closest('.hidden, .title > :first-child') &&
+    !element.closest('.hidden, #expressions, .corner-row > .setting > .label') &&
     (element.scrollWidth > element.clientWidth + 1 || isOutside(element))
   const rightOf = (element) => element.getBoundingClientRect().right
   const isOutside = (element) => {
@@ -31,22 +32,104 @@ export const CUT_CONTROLS = `(() => {
   return [...found].filter(isCut).map(({ outerHTML }) => outerHTML)
 })()`
 
+/** Tools of the toolbar. */
+export type ToolName =
+  | 'Select'
+  | 'Draw a wrinkle'
+  | 'Bend'
+  | 'Smooth'
+  | 'Erase'
+  | 'Paint'
+  | 'Polygon'
+  | 'Mirror'
+
+export function chooseTool(page: Page, name: ToolName): Promise<void> {
+  const toolbar = page.getByRole('toolbar', { name: 'Tools' })
+  return toolbar.getByRole('button', { name, exact: true }).click()
+}
+
+/** Shows a tab of the inspector. */
+export function showTab(page: Page, name: 'Look' | 'When' | 'Maps'): Promise<void> {
+  return page.getByRole('tab', { name, exact: true }).click()
+}
+
+/** Opens the sliders of the blendshapes, if they are closed. */
+export async function showSliders(page: Page): Promise<void> {
+  const toggle = button(page, 'Sliders')
+  if ((await toggle.getAttribute('aria-expanded')) === 'false') await toggle.click()
+}
+
+/** Opens the card of the project, if it is closed, and returns it. */
+export async function projectCard(page: Page): Promise<Locator> {
+  const toggle = page.getByRole('button', { name: /^Project / })
+  if ((await toggle.getAttribute('aria-expanded')) !== 'true') await toggle.click()
+  const card = page.getByRole('dialog', { name: /^Project / })
+  await card.waitFor()
+  return card
+}
+
+/** Opens the last saved project. */
+export async function openRecent(page: Page, name: RegExp): Promise<void> {
+  const card = await projectCard(page)
+  await card.getByRole('button', { name }).first().click()
+}
+
+export async function saveProject(page: Page): Promise<Download> {
+  const card = await projectCard(page)
+  const save = card.getByRole('button', { name: 'Save project (.zip)' })
+  const [download] = await Promise.all([page.waitForEvent('download'), save.click()])
+  await page.keyboard.press('Escape')
+  return download
+}
+
+/** Presses Export, and returns the file that the page saves. */
+export async function exportFile(page: Page): Promise<Download> {
+  const [download] = await Promise.all([page.waitForEvent('download'), button(page, 'Export').click()])
+  return download
+}
+
+/** Chooses an option in the preferences. */
+export async function prefer(page: Page, group: string, option: string): Promise<void> {
+  await button(page, 'Preferences').click()
+  const dialog = page.getByRole('dialog', { name: 'Preferences' })
+  await dialog.getByRole('group', { name: group }).getByText(option, { exact: true }).click()
+  await button(page, 'Close').click()
+}
+
+/** Chooses what the stage shows. Rare looks are in a card, which then stays open. */
+export async function chooseLook(page: Page, name: string): Promise<void> {
+  const main = page.getByRole('group', { name: 'Show', exact: true })
+  if (['Shaded', 'Relief', 'Strain'].includes(name)) return main.getByText(name).click()
+  const toggle = button(page, 'More views')
+  if ((await toggle.getAttribute('aria-expanded')) !== 'true') await toggle.click()
+  return page.getByRole('group', { name: 'More views' }).getByText(name).click()
+}
+
+/** Returns the names in the file of all regions in the list. */
+export async function areaNames(page: Page): Promise<string[]> {
+  const labels = page.locator('#areas .row > label')
+  return labels.evaluateAll((all) => all.map((label) => (label as HTMLElement).title))
+}
+
+/** Returns the slider with a label, or of a region with a name in the file. */
 export function slider(page: Page, name: string): Locator {
-  return page.getByLabel(name, { exact: true })
+  const escaped = name.replace(/[.*+?^${}()|[\]\\]/g, '\\$&')
+  const label = new RegExp(`(^|\\s)${escaped}\\s*$`)
+  return page.locator('input[type=range]').and(page.getByLabel(label))
 }
 
 export function button(page: Page, name: string): Locator {
   return page.getByRole('button', { name, exact: true })
 }
 
-/** Returns the radio button that selects an area in the list. */
+/** Returns the radio button that selects a region in the list, by its name in the file. */
 export function areaChoice(page: Page, area: string): Locator {
-  return page.getByRole('radio', { name: `Edit area ${area}`, exact: true })
+  return page.getByRole('radio', { name: new RegExp(`^Select .* ${area}$`) })
 }
 
 /** Switches the pointer to drawing lines. Waits until the face shows the lines, because a worker prepares the skin first. */
 export async function startDrawingLines(page: Page): Promise<void> {
-  await page.getByRole('group', { name: 'Pointer' }).getByText('Draw', { exact: true }).click()
+  await chooseTool(page, 'Draw a wrinkle')
   await page.locator('canvas.lines').waitFor()
 }
 
@@ -65,12 +148,14 @@ export function expectValue(input: Locator, value: number): Promise<void> {
   return vi.waitFor(check, { timeout: 300_000, interval: 100 })
 }
 
+/** Controls and other overlays on the face. */
+const OVERLAYS =
+  '.toolbar, .corner, .making, .messages, .divider, .sides, .lines, .card, .explanation, .readout, .popover-place'
+
 /** Takes pictures of the stage until two consecutive ones are equal, and returns the last. */
 export async function shootStage(page: Page): Promise<Buffer> {
-  const { width, height } = (await page.locator('#viewport').boundingBox())!
-  // Leaves out the toolbar at the top and the changing numbers at the bottom.
-  const clip = { x: 0, y: 60, width, height: height - 180 }
-  const shoot = () => page.screenshot({ clip, style: '.messages, .divider, .sides { opacity: 0 }' })
+  const clip = (await page.locator('#viewport').boundingBox())!
+  const shoot = () => page.screenshot({ clip, style: `${OVERLAYS} { opacity: 0 }` })
   for (let before = await shoot(); ; ) {
     await page.evaluate(
       () => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))),
@@ -83,7 +168,7 @@ export async function shootStage(page: Page): Promise<Buffer> {
 
 /** Takes a picture of the shipped face at rest without wrinkles, to compare with avatars made from this face. */
 export async function shootPlainHuman(page: Page): Promise<Buffer> {
-  await page.getByRole('button', { name: 'Neutral' }).click()
+  await button(page, 'Neutral').click()
   await expectValue(slider(page, 'foreheadLeft'), 0)
   await page.getByRole('slider', { name: /^Divider/ }).press('End')
   return shootStage(page)
@@ -176,7 +261,7 @@ export async function transitionValues(page: Page, expression: string, name: str
 export async function dropPaths(page: Page, files: string[], name?: string): Promise<void> {
   await dropOnPage(page, files)
   if (name === undefined) return
-  const shown = page.locator('#face option:checked', { hasText: new RegExp(`^${name}$`) })
+  const shown = page.getByRole('button', { name: `Project ${name}`, exact: true })
   await shown.or(page.locator('#errors p')).first().waitFor({ state: 'attached' })
   expect(await page.textContent('#errors')).toBe('')
   await waitUntilReady(page)

@@ -6,6 +6,7 @@ import { openStudio } from './opened-studio.ts'
 import {
   areaChoice,
   button,
+  chooseTool,
   dismiss,
   dropPlain,
   eventually,
@@ -20,19 +21,22 @@ import {
 /** An automatic area of the forehead. */
 const AREA = 'foreheadInnerLeft'
 
-const studio = openStudio({ width: 900, height: 600 }, writePlain)
+const studio = openStudio({ width: 1200, height: 640 }, writePlain)
 const { folder } = studio
 let page: Page
 /** URLs of the workers that the page has started. */
 const workers: string[] = []
 /** Position of the cheek on the page. */
 let cheek: { x: number; y: number }
+/** Upper left corner of the stage on the page. */
+let corner: { x: number; y: number }
 
 beforeAll(async () => {
   ;({ page } = studio)
   page.on('worker', (worker) => workers.push(worker.url()))
   await dropPlain(page, folder, AREA)
   const { x, y, width, height } = (await page.locator('#viewport').boundingBox())!
+  corner = { x, y }
   cheek = { x: x + 0.62 * width, y: y + 0.58 * height }
 })
 
@@ -43,13 +47,13 @@ test('a worker prepares the skin before painting', async () => {
 
 test('a stroke on the cheek paints the selected area there, and undo removes it completely', async () => {
   await areaChoice(page, AREA).check()
-  await button(page, 'Paint').click()
+  await chooseTool(page, 'Paint')
   const before = await shootAside(page)
   await stroke()
   await page.mouse.up()
   await undoIs(page, `Paint ${AREA}`)
   const painted = await shootAside(page)
-  expect(await differenceAt(before, painted, cheek)).toBeGreaterThan(30)
+  expect(await differenceAt(before, painted, cheek)).toBeGreaterThan(15)
   expect(await differenceAt(before, painted, { x: cheek.x, y: cheek.y - 150 })).toBe(0)
   await button(page, 'Undo').click()
   await expectPicture(page, before)
@@ -70,7 +74,7 @@ test('Escape cancels a stroke in progress', async () => {
 
 test('keys change the brush, and Alt leaves the pointer to the camera', async () => {
   const before = await shootAside(page)
-  const size = page.getByLabel('Size').last()
+  const size = slider(page, 'Size')
   const old = Number(await size.inputValue())
   await page.keyboard.press(']')
   await vi.waitFor(async () => expect(Number(await size.inputValue())).toBeGreaterThan(old))
@@ -88,7 +92,6 @@ test('keys change the brush, and Alt leaves the pointer to the camera', async ()
 })
 
 test('two fingers move the camera, even after the first one began a stroke', async () => {
-  await button(page, 'Paint').click()
   const before = await shootAside(page)
   const session = await page.context().newCDPSession(page)
   const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', ...offsets: number[]) =>
@@ -107,14 +110,16 @@ test('two fingers move the camera, even after the first one began a stroke', asy
 })
 
 test('an area can be renamed, and undo restores its name', async () => {
-  await page.getByLabel('Name', { exact: true }).fill('brow')
+  await chooseTool(page, 'Select')
+  await page.getByText('Advanced', { exact: true }).click()
+  await page.getByLabel('Name in the file', { exact: true }).fill('brow')
   await page.keyboard.press('Enter')
   await areaChoice(page, 'brow').waitFor()
   await areaChoice(page, AREA).waitFor({ state: 'detached' })
-  await page.getByLabel('Name', { exact: true }).fill('chin')
+  await page.getByLabel('Name in the file', { exact: true }).fill('chin')
   await page.keyboard.press('Enter')
   await dismiss(page, 'another area already has this name')
-  expect(await page.getByLabel('Name', { exact: true }).inputValue()).toBe('brow')
+  expect(await page.getByLabel('Name in the file', { exact: true }).inputValue()).toBe('brow')
   await button(page, 'Undo').click()
   await areaChoice(page, AREA).waitFor()
 })
@@ -125,23 +130,16 @@ test('an area can be deleted, and undo restores it', async () => {
   await areaChoice(page, AREA).waitFor({ state: 'detached' })
   await button(page, 'Undo').click()
   await areaChoice(page, AREA).waitFor()
-  await button(page, `Remove area ${AREA}`).click()
-  await areaChoice(page, AREA).waitFor({ state: 'detached' })
-  await vi.waitFor(async () =>
-    expect(await page.evaluate(() => document.activeElement?.className)).toBe('remove'),
-  )
-  await button(page, 'Undo').click()
-  await areaChoice(page, AREA).waitFor()
 })
 
 test('a muted area is hidden in the picture, and stays in the document', async () => {
   await page.getByRole('slider', { name: /^Divider/ }).press('Home')
   const before = await shootAside(page)
   await slider(page, AREA).fill('1')
-  await button(page, `Mute ${AREA}`).click()
+  await button(page, `Hide ${AREA}`).click()
   await expectPicture(page, before)
   await expectValue(slider(page, AREA), 1)
-  await button(page, `Mute ${AREA}`).click()
+  await button(page, `Hide ${AREA}`).click()
   await button(page, 'Solo chin').click()
   await expectPicture(page, before)
   await button(page, 'Solo chin').click()
@@ -161,12 +159,12 @@ async function expectCameraMoved(before: Buffer): Promise<void> {
   expect(await meanPngDifference(before, await shootAside(page))).toBeGreaterThan(1)
   await button(page, 'Front').click()
   await expectPicture(page, before)
-  await button(page, 'Paint').click()
 }
 
 /** Returns the mean difference of two pictures of the stage, 0..255, in a square of 20 pixels at a point of the page. */
 async function differenceAt(a: Buffer, b: Buffer, { x, y }: { x: number; y: number }): Promise<number> {
-  const rectangle = { left: Math.round(x - 5), top: Math.round(y - 65), width: 20, height: 20 }
+  const [left, top] = [x - corner.x, y - corner.y].map((at) => Math.round(at - 5))
+  const rectangle = { left, top, width: 20, height: 20 }
   const [one, other] = await Promise.all([a, b].map((png) => sharp(png).extract(rectangle).png().toBuffer()))
   return meanPngDifference(one, other)
 }

@@ -7,7 +7,7 @@ import type { Page } from 'playwright-core'
 import { beforeAll, expect, test } from 'vitest'
 import { editGlb } from '../glb.ts'
 import { openStudio } from './opened-studio.ts'
-import { dropPaths, expectValue, meanPngDifference, shootStage, slider } from './studio-page.ts'
+import { dropPaths, expectValue, meanPngDifference, shootStage, showSliders, slider } from './studio-page.ts'
 
 const HUMAN = fileURLToPath(new URL('../../faces/human.glb', import.meta.url))
 /** Duration of the animation, seconds. */
@@ -126,6 +126,7 @@ test('a Live Link Face take plays with the same controls', async () => {
   await expectValue(time(), 1)
   await expectValue(forehead(), 1)
   expect(await meanPngDifference(raised, await shootStage(page))).toBeLessThan(0.02)
+  await showSliders(page)
   await page.locator('#targets summary', { hasText: 'Brows' }).click()
   await slider(page, 'browInnerUp').fill('0.5')
   expect(await button('Stop').isDisabled()).toBe(true)

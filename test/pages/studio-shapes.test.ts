@@ -13,9 +13,12 @@ import {
   dropPaths,
   eventually,
   expectPicture,
+  exportFile,
   meanPngDifference,
+  openRecent,
   shootAside,
   shootStage,
+  showTab,
   undoIs,
   waitUntilReady,
 } from './studio-page.ts'
@@ -42,7 +45,7 @@ beforeAll(async () => {
 })
 
 const made = async () => {
-  await page.getByRole('heading', { name: 'Shapes', exact: true }).waitFor(DRAWING)
+  await page.getByRole('tab', { name: 'When' }).waitFor(DRAWING)
   await eventually(async () => expect(await page.getByText('Making wrinkles').count()).toBe(0))
 }
 const rows = () => page.locator('.shape:visible')
@@ -52,6 +55,7 @@ const indexOf = (shape: string) => String(names.indexOf(shape))
 const noteOf = () => page.getByText('The wrinkles were made before the last corrections.')
 
 async function unfold(): Promise<void> {
+  await showTab(page, 'When')
   await page.getByRole('heading', { name: 'Shapes', exact: true }).click()
   await rows().first().waitFor(DRAWING)
 }
@@ -122,11 +126,7 @@ test('the browser stores two corrections', async () => {
   await page.getByText('Kept in this browser').waitFor()
   await page.reload()
   await waitUntilReady(page)
-  await page.getByRole('heading', { name: 'Recent work' }).click()
-  await page
-    .getByRole('button', { name: /^nameless/ })
-    .first()
-    .click()
+  await openRecent(page, /^nameless/)
   await made()
   await unfold()
   await expectCorrections()
@@ -134,11 +134,7 @@ test('the browser stores two corrections', async () => {
 })
 
 test('the exported file contains the corrections', async () => {
-  await page.getByRole('heading', { name: 'Export' }).click()
-  await button(page, 'Make the file').click()
-  const save = page.getByRole('button', { name: /^Save .*-wrinkled\./ })
-  await save.waitFor(DRAWING)
-  const [download] = await Promise.all([page.waitForEvent('download'), save.click()])
+  const download = await exportFile(page)
   const path = join(studio.folder, 'exported.glb')
   writeFileSync(path, readFileSync(await download.path()))
   const length = readFileSync(path).readUInt32LE(12)

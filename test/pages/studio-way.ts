@@ -11,12 +11,19 @@ import { runFurrow } from './run-furrow.ts'
 import {
   areaChoice,
   button,
+  chooseTool,
   DRAWING,
   dropPaths,
   expectPicture,
   expectValue,
+  exportFile,
   meanPngDifference,
+  openRecent,
+  prefer,
   shootAside,
+  showSliders,
+  showTab,
+  slider,
   undoIs,
   undoLabel,
   waitUntilReady,
@@ -33,7 +40,7 @@ const PICTURES = [
 const studio = openStudio(WINDOW, writeNone)
 let page: Page
 
-const area = (name: string) => page.getByRole('slider', { name, exact: true })
+const area = (name: string) => slider(page, name)
 
 /** Vertical positions of the forehead's wrinkle lines and of the chin, as fractions of the viewport's height from the top. */
 export interface Heights {
@@ -97,10 +104,9 @@ function walk(file: string, heights: Heights, make: Avatar['make']) {
     )
     made = await shootAside(page)
     await picture('wrinkles')
-    const mode = page.getByRole('group', { name: 'Wrinkles' })
-    await mode.getByText('Off', { exact: true }).click()
+    await prefer(page, 'Wrinkles', 'Off')
     const plainFace = await shootAside(page)
-    await mode.getByText('Default', { exact: true }).click()
+    await prefer(page, 'Wrinkles', 'Default')
     // Wrinkles change the forehead, and not the chin.
     expect(await differenceIn(made, plainFace, forehead)).toBeGreaterThan(0.5)
     expect(await differenceIn(made, plainFace, chin)).toBeLessThan(0.1)
@@ -108,7 +114,7 @@ function walk(file: string, heights: Heights, make: Avatar['make']) {
   })
 
   step('a line can be bent', async () => {
-    await linesTo('Edit')
+    await chooseTool(page, 'Bend')
     const line = await lineIn(forehead)
     await page.mouse.click(line.x, line.y)
     const knot = await knotIn(forehead)
@@ -118,14 +124,14 @@ function walk(file: string, heights: Heights, make: Avatar['make']) {
     await page.mouse.up()
     await undoIs(page, 'Move a point')
     await picture('line')
-    await linesTo('Off')
+    await chooseTool(page, 'Select')
     await expectChange(made, forehead, 0.02)
     steps.push('Move a point')
   })
 
   step('an area can be painted', async () => {
     await areaChoice(page, 'chin').check()
-    await button(page, 'Paint').click()
+    await chooseTool(page, 'Paint')
     const { x, y } = await placeOf([0.5, heights.chin])
     // Drags from the chin to the cheek.
     await page.mouse.move(x, y)
@@ -133,15 +139,14 @@ function walk(file: string, heights: Heights, make: Avatar['make']) {
     await page.mouse.move(x + 90, y - 40, { steps: 8 })
     await page.mouse.up()
     await undoIs(page, 'Paint chin')
-    await picture('paint', page.getByLabel('Size').last())
-    await button(page, 'Paint').click()
+    await picture('paint')
+    await chooseTool(page, 'Select')
     steps.push('Paint chin')
   })
 
   step("a line can be drawn across the texture's seam", async () => {
-    await linesTo('Off')
     const before = await shootAside(page)
-    await linesTo('Draw')
+    await chooseTool(page, 'Draw a wrinkle')
     // Draws across the middle of the forehead, where the seam is.
     const { x, y } = await placeOf([0.5, heights.forehead])
     await page.mouse.move(x - 45, y - 12)
@@ -150,7 +155,7 @@ function walk(file: string, heights: Heights, make: Avatar['make']) {
     await page.mouse.up()
     await undoIs(page, 'Draw a line')
     await picture('draw')
-    await linesTo('Off')
+    await chooseTool(page, 'Select')
     await expectChange(before, forehead, 0.02)
     const drawn = await shootAside(page)
     // Checks the picture on both sides of the seam.
@@ -165,8 +170,10 @@ function walk(file: string, heights: Heights, make: Avatar['make']) {
     await button(page, 'Neutral').click()
     await puff(1)
     await areaChoice(page, 'chin').check()
-    await button(page, 'This pose fully shows this area').click()
-    await picture('driver', button(page, 'This pose fully shows this area'))
+    await showTab(page, 'When')
+    await button(page, 'This pose fully shows this region').click()
+    await picture('driver')
+    await showTab(page, 'Look')
     await expectValue(area('chin'), 1)
     await puff(0)
     await expectValue(area('chin'), 0)
@@ -197,11 +204,7 @@ function walk(file: string, heights: Heights, make: Avatar['make']) {
     studio.page = page
     await page.goto(address)
     await waitUntilReady(page)
-    await page.getByRole('heading', { name: 'Recent work' }).click()
-    await page
-      .getByRole('button', { name: new RegExp(`^${name}`) })
-      .first()
-      .click()
+    await openRecent(page, new RegExp(`^${name}`))
     await areaChoice(page, 'chin').waitFor()
     await dragSlider(page.getByRole('slider', { name: /^Divider/ }), 0)
     await puff(1)
@@ -211,12 +214,10 @@ function walk(file: string, heights: Heights, make: Avatar['make']) {
   })
 
   step('furrow validate accepts the exported file, and furrow render draws the same picture', async () => {
-    await page.getByRole('heading', { name: 'Export' }).click()
-    await button(page, 'Make the file').click()
-    const save = page.getByRole('button', { name: /^Save .*-wrinkled\./ })
-    await save.waitFor(DRAWING)
-    await picture('export', save)
-    const [download] = await Promise.all([page.waitForEvent('download'), save.click()])
+    const download = await exportFile(page)
+    await button(page, 'Exported file').click()
+    await picture('export')
+    await page.keyboard.press('Escape')
     const exported = download.suggestedFilename()
     writeFileSync(join(studio.folder, exported), readFileSync(await download.path()))
     const { code, stdout } = await runFurrow(studio.folder, {}, 'validate', exported)
@@ -230,16 +231,14 @@ function walk(file: string, heights: Heights, make: Avatar['make']) {
   })
 }
 
-/** Renders an exported face with puffed cheeks by `furrow render`, and crops the picture like `shootStage`. */
+/** Renders an exported face with puffed cheeks by `furrow render`, with the size of the stage. */
 async function rendered(face: string, mode: string): Promise<Buffer> {
   const { width, height } = (await page.locator('#viewport').boundingBox())!
   const puffed = (await blendshapes(PUFF)).map(({ name }) => `${name}=1`)
   const words = ['--set', ...puffed, '--size', `${width}x${height}`, '--mode', mode]
   const { stderr } = await runFurrow(studio.folder, {}, 'render', face, '-o', `${mode}.png`, ...words)
   expect(stderr).toBe('')
-  const stage = { left: 0, top: 60, width, height: height - 180 }
   return sharp(join(studio.folder, `${mode}.png`))
-    .extract(stage)
     .png()
     .toBuffer()
 }
@@ -286,6 +285,7 @@ async function dragSlider(input: Locator, value: number): Promise<void> {
 
 /** Finds the sliders of blendshapes by a pattern, because an avatar has one slider for both sides or one per side. */
 async function blendshapes(names: RegExp): Promise<{ name: string; input: Locator }[]> {
+  await showSliders(page)
   await page.getByLabel('Filter blendshapes').fill(names.source.match(/[a-z]+/)![0])
   const rows = await page.locator('#targets .row:visible').all()
   const all = await Promise.all(
@@ -303,16 +303,12 @@ async function puff(value: number): Promise<void> {
   for (const { input } of await blendshapes(PUFF)) await dragSlider(input, value)
 }
 
-async function linesTo(mode: 'Off' | 'Edit' | 'Draw'): Promise<void> {
-  await page.getByRole('group', { name: 'Pointer' }).getByText(mode, { exact: true }).click()
-}
-
 /** Finds the pixel of one colour that is nearest to the middle of a box, on the canvas that shows wrinkle lines. */
 async function overlayPixel(
   box: Box,
   colour: readonly [number, number, number],
 ): Promise<{ x: number; y: number }> {
-  await page.mouse.move(5, WINDOW.height - 10)
+  await page.mouse.move(WINDOW.width - 10, 5)
   let found: { x: number; y: number } | null = null
   await vi.waitFor(async () => {
     found = await page.locator('canvas.lines').evaluate(
@@ -376,8 +372,7 @@ async function differenceIn(a: Buffer, b: Buffer, [left, top, right, bottom]: Bo
   const { width, height } = (await page.locator('#viewport').boundingBox())!
   const region = {
     left: Math.round(left * width),
-    // `shootStage` begins below the toolbar.
-    top: Math.round(top * height - 60),
+    top: Math.round(top * height),
     width: Math.round((right - left) * width),
     height: Math.round((bottom - top) * height),
   }

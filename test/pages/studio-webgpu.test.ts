@@ -6,7 +6,10 @@ import { openStudio } from './opened-studio.ts'
 import {
   areaChoice,
   button,
+  chooseLook,
+  chooseTool,
   meanPngDifference,
+  prefer,
   shootStage,
   slider,
   startDrawingLines,
@@ -15,9 +18,9 @@ import {
 } from './studio-page.ts'
 
 const AREA = 'lowerLip'
-const LOOKS = ['Clay', 'Strain'] as const
+const LOOKS = ['Relief', 'Strain'] as const
 
-const studio = openStudio({ width: 900, height: 600 })
+const studio = openStudio({ width: 1200, height: 640 })
 let page: Page
 /** Pictures of each look on WebGL. */
 const expected = new Map<string, Buffer>()
@@ -28,16 +31,15 @@ beforeAll(async () => {
   await areaChoice(page, AREA).waitFor()
   await page.getByRole('slider', { name: /^Divider/ }).press('Home')
   for (const name of LOOKS) expected.set(name, await shootLook(name))
-  await page.getByText('WebGPU', { exact: true }).click()
+  await prefer(page, 'Renderer', 'WebGPU')
   await waitUntilReady(page, 'WebGPU')
 })
 
 async function shootLook(name: string): Promise<Buffer> {
   await button(page, 'Surprised').click()
-  const show = page.getByRole('group', { name: 'Show' })
-  await show.getByText(name).click()
+  await chooseLook(page, name)
   const picture = await shootStage(page)
-  await show.getByText('Shaded').click()
+  await chooseLook(page, 'Shaded')
   return picture
 }
 
@@ -77,7 +79,7 @@ test.each(LOOKS)('%s looks like WebGL', async (name) => {
 test('an area is painted on the face, and shows its extent', async () => {
   await button(page, 'Neutral').click()
   await areaChoice(page, AREA).check()
-  await button(page, 'Paint').click()
+  await chooseTool(page, 'Paint')
   await changesPicture(() => drag('#viewport', [0.6, 0.55], [0.63, 0.6]), `Paint ${AREA}`, 0.05)
 })
 

@@ -9,7 +9,18 @@ import { beforeAll, expect, test, vi } from 'vitest'
 import { writePlain } from './avatars.ts'
 import { openStudio } from './opened-studio.ts'
 import { runFurrow } from './run-furrow.ts'
-import { dropPaths, expectValue, meanPngDifference, shootStage, waitUntilReady } from './studio-page.ts'
+import {
+  areaNames,
+  dropPaths,
+  expectValue,
+  exportFile,
+  meanPngDifference,
+  openRecent,
+  saveProject,
+  shootStage,
+  slider,
+  waitUntilReady,
+} from './studio-page.ts'
 
 const studio = openStudio({ width: 800, height: 400 }, writePlain)
 const { folder } = studio
@@ -21,7 +32,7 @@ beforeAll(async () => {
 })
 
 const age = () => page.getByRole('slider', { name: 'Age' })
-const areas = () => page.locator('#areas .row label').allTextContents()
+const areas = () => areaNames(page)
 /** Waits until the page no longer shows that wrinkles are being made. */
 const waitForWrinkles = () => page.getByText('Making wrinkles').waitFor({ state: 'detached' })
 const waitForAreas = (names: string[]) =>
@@ -36,8 +47,8 @@ test('an avatar without wrinkles gets them, and its forehead creases', async () 
   await waitForWrinkles()
   names = await areas()
   expect(names).toContain('foreheadInnerLeft')
-  await page.getByRole('button', { name: 'Surprised' }).click()
-  const forehead = page.getByLabel('foreheadInnerLeft', { exact: true })
+  await page.getByRole('button', { name: 'Surprised', exact: true }).click()
+  const forehead = slider(page, 'foreheadInnerLeft')
   await expect.poll(async () => Number(await forehead.inputValue()), { timeout: 60_000 }).toBeGreaterThan(0.9)
   const divider = page.getByRole('slider', { name: /^Divider/ })
   surprised = await shootStage(page)
@@ -70,23 +81,14 @@ test('the work is still there after the page was closed', async () => {
   const before = await areas()
   await page.reload()
   await waitUntilReady(page)
-  await page.getByRole('heading', { name: 'Recent work' }).click()
-  await page.getByRole('button', { name: /^plain/ }).click()
+  await openRecent(page, /^plain/)
   await waitForAreas(before)
   await expectValue(age(), 80)
 })
 
 test('the export equals what furrow pack makes of the saved project, and is valid', async () => {
-  await page.getByRole('heading', { name: 'Export' }).click()
-  await page.getByRole('button', { name: 'Make the file' }).click()
-  const [face] = await Promise.all([
-    page.waitForEvent('download'),
-    page.getByRole('button', { name: 'Save plain-wrinkled.glb' }).click(),
-  ])
-  const [project] = await Promise.all([
-    page.waitForEvent('download'),
-    page.getByRole('button', { name: 'Save project' }).click(),
-  ])
+  const face = await exportFile(page)
+  const project = await saveProject(page)
   const exported = readFileSync(await face.path())
   for (const [path, bytes] of Object.entries(unzipSync(readFileSync(await project.path())))) {
     mkdirSync(dirname(join(folder, path)), { recursive: true })

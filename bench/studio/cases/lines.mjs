@@ -12,11 +12,11 @@ export async function measureLines(bench, add) {
     const studio = await StudioPage.open(bench)
     const { page } = studio
     await studio.openProject(await bench.files.project(count))
-    await studio.linesTo('Draw')
+    await studio.chooseTool('Draw a wrinkle')
     const [from, to] = [await studio.pointAt(0.4, 0.23), await studio.pointAt(0.6, 0.22)]
     await studio.drag(from, to)
     await studio.waitForIdle()
-    await studio.linesTo('Edit')
+    await studio.chooseTool('Bend')
     await page.mouse.move(to.x, to.y)
     await page.mouse.down()
     await studio.waitForIdle()
@@ -35,8 +35,8 @@ export async function measureLines(bench, add) {
 
 async function measureScale(studio, point, add) {
   const { page } = studio
-  await studio.linesTo('Off')
-  await page.getByRole('heading', { name: 'Layers' }).click()
+  await studio.chooseTool('Select')
+  await page.getByRole('tab', { name: 'Maps' }).click()
   await page.locator('details.layer summary').click()
   await page.locator('details.layer').getByLabel('Scale').focus()
   const press = () => page.keyboard.press('ArrowLeft')

@@ -11,7 +11,7 @@ export async function measureMemory(bench, add) {
   const workers = await WorkerSessions.attach(session)
   await studio.openProject(await bench.files.project(10))
   await studio.button('New area').click()
-  await studio.button('Paint').click()
+  await studio.chooseTool('Paint')
   await studio.waitForIdle()
   const before = await heapOf(session)
   for (let i = 0; i < bench.strokes; i++) {

@@ -7,16 +7,16 @@ export async function measureTasks(bench, add) {
   const { human } = bench.files.avatars
   await studio.drop(human)
   add('longest task: automatic wrinkles', await longest(() => studio.waitForWrinkles()))
-  await studio.linesTo('Draw')
+  await studio.chooseTool('Draw a wrinkle')
   const [from, to] = [await studio.pointAt(0.4, 0.23), await studio.pointAt(0.6, 0.22)]
   add('longest task: drawing a line', await longest(() => studio.drag(from, to)))
-  await studio.linesTo('Off')
+  await studio.chooseTool('Select')
   await studio.page
-    .getByRole('radio', { name: /^Edit area / })
+    .getByRole('radio', { name: /^Select / })
     .first()
     .check()
   const paint = async () => {
-    await studio.button('Paint').click()
+    await studio.chooseTool('Paint')
     await studio.drag(await studio.pointAt(0.56, 0.5), await studio.pointAt(0.66, 0.5))
   }
   add('longest task: painting', await longest(paint))

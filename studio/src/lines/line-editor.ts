@@ -1,39 +1,32 @@
 import { computed, effect, type ReadonlySignal, signal } from '@preact/signals'
-import { insertPoint, removePoint, type SkinCanvas, smoothStroke, splitStroke, type Uv } from 'furrow/author'
-import {
-  detachStroke,
-  type Fork,
-  findForks,
-  type MirrorPlane,
-  mirrorStroke,
-  pullBranches,
-  type StrokeLines,
-  splineOf,
-} from 'furrow/internal'
+import { insertPoint, removePoint, smoothStroke, splitStroke, type Uv } from 'furrow/author'
+import { detachStroke, type Fork, findForks, mirrorStroke, pullBranches, splineOf } from 'furrow/internal'
 import type { LayerStroke, StudioDocument } from '../document/document.ts'
 import { removeStroke, replaceStroke, replaceStrokes } from '../document/strokes.ts'
 import type { Session } from '../session/session.ts'
+import { counterpartOf, mirrorOnto } from './counterpart.ts'
 import { type Handle, handlesOf } from './handles.ts'
 import { addLine, coverLine, isShownAt, type NewLine } from './line-area.ts'
 import { LINE_SHAPE, type LineShape, withShape } from './line-shape.ts'
+import type { LineSurface } from './line-surface.ts'
 import { PointMove } from './point-move.ts'
 
-/** Effect of the pointer on lines. `off`: the pointer only orbits the camera. */
-export type LineMode = 'off' | 'edit' | 'draw'
+/**
+ * Effect of the pointer on lines. `off`: none. `select`: chooses a line, and deepens it by a drag. `edit`: moves points. `smooth` and `erase`
+ * change the lines that the pointer touches.
+ */
+export type LineMode = 'off' | 'select' | 'edit' | 'draw' | 'smooth' | 'erase'
 
 /** Strength of the command Smooth, 0..1. */
 const SMOOTHING = 0.5
 
-/** Skin on which lines are edited. `middle` is the plane between its left and right half. */
-export interface LineSurface {
-  readonly canvas: SkinCanvas
-  readonly lines: StrokeLines
-  readonly middle: MirrorPlane | undefined
-}
-
 /** Stores which wrinkle line is chosen, and edits this line. */
 export class LineEditor {
   readonly mode = signal<LineMode>('off')
+  /** Whether lines are being edited. In the mode `select`, the pointer also has other uses. */
+  readonly isEditing = computed(() => this.mode.value !== 'off' && this.mode.value !== 'select')
+  /** Whether a change of a line also changes its counterpart on the other half of the face. */
+  readonly mirrored = signal(false)
   readonly shape = signal(LINE_SHAPE)
   /** Group of new lines. If empty, each line gets the name of the area that covers it. */
   readonly group = signal('')
@@ -47,6 +40,8 @@ export class LineEditor {
   readonly #index = signal(-1)
   /** Current gesture that moves a point, or null. */
   #move: PointMove | null = null
+  /** Counterparts of lines, found since the last call of `settle`. The keys and values are indices of lines. */
+  readonly #counterparts = new Map<number, number>()
 
   readonly chosen: ReadonlySignal<LayerStroke | null> = computed(
     () => this.session.document.value?.strokes[this.#index.value] ?? null,
@@ -92,6 +87,7 @@ export class LineEditor {
   choose(stroke: LayerStroke | null): void {
     const { strokes } = this.session.document.peek() ?? {}
     this.#index.value = (stroke && strokes?.indexOf(stroke)) ?? -1
+    this.#counterparts.clear()
     this.point.value = -1
   }
 
@@ -109,7 +105,7 @@ export class LineEditor {
     if (!handle || !surface || !document) return
     if (this.#move?.last !== document.strokes)
       this.#move = new PointMove(document.strokes, this.#index.peek(), handle, surface.lines)
-    const changed = this.#move.to(uv)
+    const changed = this.#withCounterparts(this.#move.to(uv), document)
     const label = this.#move.isFork ? 'Move a fork' : 'Move a point'
     this.session.edit(label, (old) => replaceStrokes(old, changed), this.#keyOf('points'))
     this.#move.last = this.session.document.peek()!.strokes
@@ -150,7 +146,18 @@ export class LineEditor {
   removeLine(): void {
     const stroke = this.chosen.peek()
     if (!stroke) return
-    this.session.edit('Remove a line', (document) => removeStroke(document, stroke))
+    const other = this.#counterpart()
+    const key = this.mode.peek() === 'erase' ? 'erase' : undefined
+    const remove = (document: StudioDocument) => {
+      const left = removeStroke(document, stroke)
+      if (!other) return left
+      // Removing a stroke can replace the objects of other strokes, but not their order.
+      return removeStroke(
+        left,
+        left.strokes[other.index - (document.strokes.indexOf(stroke) < other.index ? 1 : 0)],
+      )
+    }
+    this.session.edit('Remove a line', remove, key)
     this.choose(null)
   }
 
@@ -192,34 +199,57 @@ export class LineEditor {
     this.#add('Mirror a line', mirrorStroke(stroke, surface.canvas, surface.middle))
   }
 
-  /** Adds a line with the current shape, group and layer, and chooses it. */
+  /** Adds a line with the current shape, group and layer, and chooses it. Also adds its mirror image if `mirrored` is true. */
   draw(points: Uv[]): void {
-    const [group, layer] = [this.group.peek(), this.layer.peek()]
-    this.#add('Draw a line', {
+    const [group, layer, surface] = [this.group.peek(), this.layer.peek(), this.#surface()]
+    if (!surface) return
+    const line: NewLine = {
       ...this.shape.peek(),
       ...(group && { group }),
       ...(layer && { layer }),
       curve: 'spline',
       points,
       waviness: 0,
+    }
+    const image = this.mirrored.peek() ? mirrorStroke(line, surface.canvas, surface.middle) : null
+    this.session.edit('Draw a line', (document) => {
+      const drawn = addLine(document, line, surface.canvas)
+      if (!image) return drawn
+      // A line across the middle of the face is its own counterpart.
+      const probe = {
+        ...drawn,
+        strokes: [...drawn.strokes, { ...drawn.strokes.at(-1)!, ...image }] as LayerStroke[],
+      }
+      const isOwn = counterpartOf(probe.strokes, drawn.strokes.length - 1, surface) < 0
+      return isOwn ? drawn : addLine(drawn, image, surface.canvas)
     })
+    const { strokes } = this.session.document.peek()!
+    this.#index.value = strokes.findLastIndex((stroke) => stroke.points === points)
+    this.point.value = -1
   }
 
   /** Changes the shape of the chosen line, or of new lines in draw mode. Changes of a field until `settle` are one undo step. */
   setShape(fields: Partial<LineShape>): void {
-    if (this.mode.peek() === 'draw') {
+    if (this.#isNew) {
       this.shape.value = { ...this.shape.peek(), ...fields }
       return
     }
     const key = `shape-${Object.keys(fields)}`
     const attached = this.attachedEnds.peek()
     const make = (stroke: LayerStroke) => [withShape(stroke, fields, attached)]
-    this.#change(`Change the ${Object.keys(fields)} of a line`, make, key)
+    this.#change(`Change the ${Object.keys(fields)} of a line`, make, key, (other) =>
+      withShape(other, fields, attached),
+    )
+  }
+
+  /** Whether changes apply to new lines, because no line is chosen. */
+  get #isNew(): boolean {
+    return this.mode.peek() === 'draw' && !this.chosen.peek()
   }
 
   /** Sets the group of the chosen line, or of new lines in draw mode. Adds an area with this name if there is none. */
   setGroup(group: string): void {
-    if (this.mode.peek() === 'draw') {
+    if (this.#isNew) {
       this.group.value = group
       return
     }
@@ -233,12 +263,13 @@ export class LineEditor {
   }
 
   setLayer(layer: string): void {
-    if (this.mode.peek() === 'draw') this.layer.value = layer
+    if (this.#isNew) this.layer.value = layer
     else this.#change('Change the layer of a line', (stroke) => [{ ...stroke, layer }])
   }
 
   /** Ends a gesture and its undo step. If the gesture moved a point out of the line's area, extends the area to keep the line visible. */
   settle(): void {
+    this.#counterparts.clear()
     if (this.#move) this.#coverPoint(this.#move)
     this.#move = null
     this.session.settle()
@@ -278,20 +309,63 @@ export class LineEditor {
     if (!stroke || !surface || !document) return
     const forked = { strokes: document.strokes, forks: this.forks.peek(), lines: surface.lines }
     const changed = pullBranches(forked, new Map([[this.#index.peek(), make(stroke, surface)]]), removed)
-    this.session.edit(label, (old) => replaceStrokes(old, changed))
+    const all = this.#withCounterparts(changed, document)
+    this.session.edit(label, (old) => replaceStrokes(old, all))
   }
 
+  /**
+   * Replaces the chosen line.
+   *
+   * @param changeOther returns the changed counterpart of the line. Default: the counterpart does not change.
+   */
   #change(
     label: string,
     make: (stroke: LayerStroke, surface: LineSurface) => readonly LayerStroke[],
     key?: string,
+    changeOther?: (other: LayerStroke) => LayerStroke,
   ): void {
     const stroke = this.chosen.peek()
     const surface = this.#surface()
     if (!stroke || !surface) return
     const changed = make(stroke, surface)
     if (changed[0] === stroke) return
-    const operation = (document: StudioDocument) => replaceStroke(document, stroke, changed)
+    const other = changeOther && this.#counterpart()
+    const operation = (document: StudioDocument) => {
+      const own = other ? replaceStroke(document, other.stroke, [changeOther(other.stroke)]) : document
+      return replaceStroke(own, stroke, changed)
+    }
     this.session.edit(label, operation, key && this.#keyOf(key))
+  }
+
+  /** Returns the counterpart of the chosen line. Null if there is none, or if `mirrored` is false. */
+  #counterpart(): { stroke: LayerStroke; index: number } | null {
+    const [document, surface] = [this.session.document.peek(), this.#surface()]
+    if (!this.mirrored.peek() || !document || !surface) return null
+    const index = this.#counterpartIndex(this.#index.peek(), document, surface)
+    return index < 0 ? null : { stroke: document.strokes[index], index }
+  }
+
+  #counterpartIndex(index: number, { strokes }: StudioDocument, surface: LineSurface): number {
+    const known = this.#counterparts.get(index)
+    if (known !== undefined) return known
+    const found = counterpartOf(strokes, index, surface)
+    this.#counterparts.set(index, found)
+    return found
+  }
+
+  /** Adds the counterparts of changed lines, as mirror images, if `mirrored` is true. @param document document before the change. */
+  #withCounterparts(
+    changed: ReadonlyMap<number, LayerStroke>,
+    document: StudioDocument,
+  ): ReadonlyMap<number, LayerStroke> {
+    const surface = this.#surface()
+    if (!this.mirrored.peek() || !surface) return changed
+    const all = new Map(changed)
+    for (const [index, stroke] of changed) {
+      const other = this.#counterpartIndex(index, document, surface)
+      if (other >= 0 && !changed.has(other))
+        all.set(other, mirrorOnto(stroke, document.strokes[other], surface))
+    }
+    return all
   }
 }

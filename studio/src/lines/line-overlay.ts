@@ -37,6 +37,10 @@ export class LineOverlay {
     return [this.#stage.clientWidth, this.#stage.clientHeight]
   }
 
+  set isFaded(isFaded: boolean) {
+    this.#canvas.classList.toggle('faded', isFaded)
+  }
+
   hide(): void {
     this.#canvas.hidden = true
   }

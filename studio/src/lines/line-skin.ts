@@ -1,5 +1,5 @@
 import { type Skin, type SkinCanvas, skinCanvas } from 'furrow/author'
-import { barycentricsAt, type MirrorPlane, middleOf, StrokeLines, uvOf } from 'furrow/internal'
+import { barycentricsAt, type MirrorPlane, StrokeLines, uvOf } from 'furrow/internal'
 import type { Mesh } from 'three'
 import type { LayerStroke } from '../document/document.ts'
 import { makeCanvasInWorker } from '../paint/in-worker.ts'
@@ -23,11 +23,14 @@ export class LineSkin {
   readonly canvas: SkinCanvas
   readonly lines: StrokeLines
   readonly #posed: PosedSkin
+  readonly #middleOf: (skin: Skin) => MirrorPlane | undefined
   readonly #skinLines = new WeakMap<LayerStroke, SkinLine | null>()
   readonly #uvs = new WeakMap<LayerStroke, Float64Array>()
 
-  constructor(posed: PosedSkin, canvas: SkinCanvas) {
+  /** @param middleOf finds the plane between the two halves of a face. */
+  constructor(posed: PosedSkin, canvas: SkinCanvas, middleOf: (skin: Skin) => MirrorPlane | undefined) {
     this.#posed = posed
+    this.#middleOf = middleOf
     this.canvas = canvas
     this.lines = new StrokeLines(canvas)
   }
@@ -44,7 +47,7 @@ export class LineSkin {
 
   /** Plane between the left and the right half of the face. Undefined if it cannot be found from the motion of the blendshapes. */
   get middle(): MirrorPlane | undefined {
-    return middleOf(this.#skin)
+    return this.#middleOf(this.#skin)
   }
 
   /** Updates the skin to the current pose of the face. */
@@ -106,5 +109,6 @@ export async function readLineSkin(
   const { positions, uvs, indices } = posed.skin.skin
   const mesh = { positions, uvs, indices }
   const canvas = await makeCanvasInWorker(mesh, size, scale).catch(() => skinCanvas(mesh, size, size, scale))
-  return new LineSkin(posed, canvas)
+  const { middleOf } = await import('./middle.ts')
+  return new LineSkin(posed, canvas, middleOf)
 }

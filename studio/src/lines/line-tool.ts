@@ -8,8 +8,9 @@ import {
   projectForks,
 } from '../lines/project-lines.ts'
 import { type PathPoint, reducePath } from '../lines/reduce-path.ts'
-import type { SkinPicker } from '../paint/picker.ts'
+import type { SkinHit, SkinPicker } from '../paint/picker.ts'
 import type { StagePointer, StageTool } from '../tools/stage-tool.ts'
+import { acrossLine, DepthDrag } from './depth-drag.ts'
 
 /** Maximum distance at which the pointer hits a line, CSS pixels. */
 const ON_LINE = 8
@@ -24,6 +25,8 @@ export interface LineStage {
   preparation(): Promise<unknown> | null
   /** Called when the line under the pointer or the path of the pointer changes. */
   onChange(): void
+  /** Called when the pointer is on the skin beside all lines, in the mode `select`; null: elsewhere. */
+  onSkin?(hit: SkinHit | null): void
 }
 
 /** Pointer tool for wrinkle lines: chooses lines, moves their points and forks, and draws new lines. */
@@ -36,6 +39,10 @@ export class LineTool implements StageTool {
   #drawn: PathPoint[] = []
   /** Whether the current gesture has changed the document. */
   #isChanged = false
+  /** Gesture that changes the depth of the chosen line, or null. */
+  #depth: DepthDrag | null = null
+  /** Lines that the current gesture has smoothed. */
+  readonly #touched = new Set<number>()
 
   constructor(editor: LineEditor, stage: LineStage) {
     this.#editor = editor
@@ -47,15 +54,23 @@ export class LineTool implements StageTool {
     return this.#isChanged
   }
 
+  get isQuiet(): boolean {
+    return this.#editor.mode.peek() === 'select'
+  }
+
   preparation(): Promise<unknown> | null {
-    return this.#stage.preparation()
+    // Until lines can be chosen, the pointer orbits the camera.
+    return this.isQuiet ? null : this.#stage.preparation()
   }
 
   begin(pointer: StagePointer): boolean {
     const { picker } = this.#stage
     if (!picker) return false
     this.#isChanged = false
-    if (this.#editor.mode.peek() === 'edit') return this.#choose(pointer)
+    const mode = this.#editor.mode.peek()
+    if (mode === 'edit') return this.#choose(pointer)
+    if (mode === 'select') return this.#grab(pointer)
+    if (mode === 'smooth' || mode === 'erase') return this.#touch(pointer)
     if (!picker.pick(pointer.ray)) return false
     this.#editor.choose(null)
     this.#drawTo([pointer])
@@ -63,8 +78,11 @@ export class LineTool implements StageTool {
   }
 
   move(pointers: readonly StagePointer[]): void {
-    if (this.#editor.mode.peek() === 'draw') this.#drawTo(pointers)
-    else this.#moveTo(pointers)
+    const mode = this.#editor.mode.peek()
+    if (mode === 'draw') this.#drawTo(pointers)
+    else if (mode === 'select') this.#deepen(pointers)
+    else if (mode === 'edit') this.#moveTo(pointers)
+    else for (const pointer of pointers) this.#touch(pointer)
   }
 
   end(): void {
@@ -73,10 +91,14 @@ export class LineTool implements StageTool {
     if (points.length >= 2) this.#editor.draw(points)
     this.#editor.settle()
     this.#isChanged = false
+    this.#depth = null
+    this.#touched.clear()
   }
 
   cancel(): void {
     this.#forgetPath()
+    this.#depth = null
+    this.#touched.clear()
     if (!this.#isChanged) return
     this.#editor.settle()
     this.#editor.session.undo()
@@ -84,8 +106,10 @@ export class LineTool implements StageTool {
   }
 
   hover(pointer: StagePointer | null): void {
-    const isEditing = this.#editor.mode.peek() === 'edit'
-    const found = pointer && isEditing ? this.#lineAt(pointer)?.stroke : undefined
+    const mode = this.#editor.mode.peek()
+    const found = pointer && mode !== 'draw' ? this.#lineAt(pointer)?.stroke : undefined
+    if (mode === 'select')
+      this.#stage.onSkin?.(found || !pointer ? null : (this.#stage.picker?.pick(pointer.ray) ?? null))
     if ((found ?? null) === this.hovered) return
     this.hovered = found ?? null
     this.#stage.onChange()
@@ -97,6 +121,41 @@ export class LineTool implements StageTool {
     if (hit?.stroke !== this.#editor.chosen.peek() || this.#handleAt(pointer) >= 0) return
     this.#editor.insertPoint(hit.along)
     this.#editor.settle()
+  }
+
+  /** Chooses the line at the pointer, and begins to change its depth. */
+  #grab(pointer: StagePointer): boolean {
+    const hit = this.#lineAt(pointer)
+    if (!hit) return false
+    this.#editor.choose(hit.stroke)
+    const line = this.#stage.lines.find(({ stroke }) => stroke === hit.stroke)
+    if (line) this.#depth = new DepthDrag(pointer, hit.stroke.depth, acrossLine(line, hit.along))
+    return true
+  }
+
+  #deepen(pointers: readonly StagePointer[]): void {
+    const last = pointers.at(-1)
+    const depth = last && this.#depth?.to(last)
+    if (depth === undefined) return
+    this.#editor.setShape({ depth })
+    this.#isChanged = true
+  }
+
+  /** Smooths or erases the line at the pointer. Smooths each line once per gesture. */
+  #touch(pointer: StagePointer): boolean {
+    const hit = this.#lineAt(pointer)
+    if (!hit) return this.#isChanged
+    const { session } = this.#editor
+    const index = session.document.peek()?.strokes.indexOf(hit.stroke) ?? -1
+    if (index < 0 || this.#touched.has(index)) return true
+    this.#editor.choose(hit.stroke)
+    if (this.#editor.mode.peek() === 'erase') this.#editor.removeLine()
+    else {
+      this.#touched.add(index)
+      this.#editor.smooth()
+    }
+    this.#isChanged = true
+    return true
   }
 
   #choose(pointer: StagePointer): boolean {

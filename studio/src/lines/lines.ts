@@ -1,5 +1,6 @@
 import { effect, type ReadonlySignal, signal } from '@preact/signals'
-import { FurrowError } from 'furrow'
+import { FurrowError, type GrayImage } from 'furrow'
+import type { SkinHit } from '../paint/picker.ts'
 import type { Session } from '../session/session.ts'
 import { rayAt } from '../tools/ray-at.ts'
 import type { ToolHost } from '../tools/tool-host.ts'
@@ -11,7 +12,11 @@ import { pictureOf } from './line-picture.ts'
 import { type LineSkin, readLineSkin } from './line-skin.ts'
 import { LineTool } from './line-tool.ts'
 import { LineProjection, type ProjectedLine } from './project-lines.ts'
+import { placeOfArea, placeOfLine, type SkinPlace } from './skin-place.ts'
 import { TextureLineView } from './texture-line-view.ts'
+
+/** Time without motion of the pointer after which the lines fade, milliseconds. */
+const IDLE = 4000
 
 export interface LinesParts {
   /** Element that shows the face. */
@@ -19,6 +24,10 @@ export interface LinesParts {
   session: Session
   viewer: ReadonlySignal<Viewer | null>
   tools: ToolHost
+  /** Whether the face moves. Lines that the pointer could choose are then not updated. */
+  isMoving(): boolean
+  /** Called when the pointer is on the skin beside all lines, while it selects; null: elsewhere. */
+  onSkin(hit: SkinHit | null): void
   /** Runs a task and shows its errors. */
   attempt(task: () => unknown): unknown
 }
@@ -36,7 +45,12 @@ export class Lines {
   #source: readonly unknown[] = []
   readonly #projection = new LineProjection()
   #lines: ProjectedLine[] = []
+  /** Whether the pointer has been on the stage since the face was opened, so that lines can be selected. */
+  readonly #isPointed = signal(false)
+  /** Whether lines are drawn over the face. */
+  readonly isShown = signal(true)
   #request = 0
+  #idle = 0
 
   constructor(parts: LinesParts) {
     const { session, stage, tools, attempt } = parts
@@ -53,9 +67,15 @@ export class Lines {
       },
       preparation: () => this.#reading,
       onChange: () => this.#redraw(),
+      onSkin: (hit) => parts.onSkin(hit),
     })
     effect(() => this.#readSkin())
+    stage.addEventListener('pointermove', ({ buttons }) => this.#point(buttons !== 0))
+    // Tools that capture the pointer stop this event, so the gesture moves the camera.
+    stage.addEventListener('pointerdown', () => this.#point(true))
+    stage.addEventListener('pointerup', () => this.#point(false))
     effect(() => {
+      this.isShown.value
       const { mode, chosen, point } = this.editor
       if (mode.value === 'off') this.#overlay.hide()
       chosen.value
@@ -105,18 +125,58 @@ export class Lines {
     if (hit) this.editor.movePoint(hit.uv)
   }
 
+  /** Returns a promise that settles when the skin is ready, or null if nothing is being prepared. */
+  preparation(): Promise<unknown> | null {
+    return this.#reading?.catch(() => {}) ?? null
+  }
+
+  /** Returns the skin at a position on the stage, CSS pixels, or undefined. */
+  pickAt(x: number, y: number): SkinHit | undefined {
+    const camera = this.#parts.viewer.peek()?.stage.camera
+    return camera && this.#skin.peek()?.picker.pick(rayAt(camera, [x, y], this.#overlay.size))
+  }
+
+  /**
+   * Returns the middle and the radius of the chosen line, or of an area, on the face in world space. Returns null if there is neither, or
+   * before the skin is ready.
+   */
+  placeOf(weights: GrayImage | null): SkinPlace | null {
+    const [skin, line] = [this.#skin.peek(), this.editor.chosen.peek()]
+    if (!skin) return null
+    skin.follow()
+    if (line) return placeOfLine(skin, line)
+    return weights && placeOfArea(skin, weights)
+  }
+
   draw(): void {
     const { session, viewer } = this.#parts
     const skin = this.#skin.peek()
     const document = session.document.peek()
     const mode = this.editor.mode.peek()
-    if (mode === 'off' || !skin || !document || !viewer.peek()) {
+    const isSelecting = mode === 'select'
+    const isHidden = !this.isShown.peek() || (isSelecting && this.#parts.isMoving())
+    if (mode === 'off' || isHidden || !skin || !document || !viewer.peek()) {
       this.#overlay.hide()
       return
     }
     const { camera } = viewer.peek()!.stage
     this.#lines = this.#projection.project(document.strokes, skin, camera, this.#overlay.size)
-    this.#overlay.draw(pictureOf(this.editor, this.#tool, this.#lines))
+    const picture = pictureOf(this.editor, this.#tool, this.#lines)
+    // While the pointer selects, all other lines would only hide the face.
+    const isSeen = ({ stroke }: ProjectedLine) => stroke === picture.chosen || stroke === picture.hovered
+    this.#overlay.draw(
+      isSelecting ? { ...picture, lines: picture.lines.filter(isSeen), handles: [], forks: [] } : picture,
+    )
+  }
+
+  /** Fades the lines while the pointer moves the camera, and when it rests. */
+  #point(isDragging: boolean): void {
+    this.#isPointed.value = true
+    this.#overlay.isFaded = isDragging
+    clearTimeout(this.#idle)
+    this.#idle = window.setTimeout(() => {
+      this.#overlay.isFaded = true
+    }, IDLE)
   }
 
   /** Draws the lines in the next frame, without drawing the face. */
@@ -132,7 +192,8 @@ export class Lines {
     const { session, viewer, attempt } = this.#parts
     const document = session.document.value
     const avatar = viewer.value?.avatar
-    if (this.editor.mode.value === 'off') return
+    const mode = this.editor.mode.value
+    if (mode === 'off' || (mode === 'select' && !this.#isPointed.value)) return
     const skin = avatar?.skins[avatar.skin]
     const source = [skin, document?.scale, document?.areaSize]
     if (source.every((value, i) => value === this.#source[i])) return

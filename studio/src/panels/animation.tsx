@@ -1,3 +1,4 @@
+import { FILE, PLACES } from '../labels.ts'
 import type { ClipPlayer } from '../viewer/pose/clip-player.ts'
 import { Choice } from './controls/choice.tsx'
 import { NumberSlider } from './controls/number-slider.tsx'
@@ -5,60 +6,86 @@ import { Section } from './controls/section.tsx'
 
 const SPEEDS = ['0.25', '0.5', '1', '2'].map((value) => ({ value, label: `${value}×` }))
 
-/** Section that plays animations of the avatar's file, and facial captures. */
-export function Animation({ player }: { player: ClipPlayer }) {
-  const { clips, clip, isPlaying, isShown, isLooped, speed } = player
+interface AnimationProps {
+  player: ClipPlayer
+  onOpen(files: readonly File[]): void
+}
+
+/** Plays animations of the avatar's file, and facial captures. */
+export function Animation({ player, onOpen }: AnimationProps) {
   return (
-    <Section title="Animation">
-      <div class="settings">
-        <div class="setting">
-          <label for="clip">Clip</label>
-          <select
-            id="clip"
-            value={clips.value.indexOf(clip.value!)}
-            onChange={({ currentTarget }) => player.choose(clips.value[Number(currentTarget.value)])}
-          >
-            {clips.value.map(({ uuid, name }, i) => (
-              <option key={uuid} value={i}>
-                {name || `Clip ${i + 1}`}
-              </option>
-            ))}
-          </select>
-        </div>
-        <Time player={player} />
-        <div class="work">
-          <button type="button" onClick={() => (isPlaying.value ? player.pause() : player.play())}>
-            {isPlaying.value ? 'Pause' : 'Play'}
-          </button>
-          <button
-            type="button"
-            disabled={!isShown.value}
-            title="Restore the pose that the face had before"
-            onClick={() => player.stop()}
-          >
-            Stop
-          </button>
-          <label class="check">
-            <input
-              type="checkbox"
-              checked={isLooped.value}
-              onChange={({ currentTarget }) => {
-                isLooped.value = currentTarget.checked
-              }}
-            />
-            Loop
-          </label>
-        </div>
-        <Choice
-          label="Speed"
-          options={SPEEDS}
-          value={`${speed.value}`}
-          onChange={(value) => {
-            speed.value = Number(value)
+    <Section title={PLACES.animation}>
+      {player.clips.value.length === 0 ? (
+        <p class="hint">This avatar has no animations. Open or drop a recording of the app Live Link Face.</p>
+      ) : (
+        <Clips player={player} />
+      )}
+      <label class="file">
+        <input
+          type="file"
+          accept=".csv"
+          onChange={({ currentTarget }) => {
+            onOpen([...currentTarget.files!])
+            currentTarget.value = ''
           }}
         />
-      </div>
+        <span>{FILE.openCapture}</span>
+      </label>
     </Section>
+  )
+}
+
+function Clips({ player }: { player: ClipPlayer }) {
+  const { clips, clip, isPlaying, isShown, isLooped, speed } = player
+  return (
+    <div class="settings">
+      <div class="setting">
+        <label for="clip">Clip</label>
+        <select
+          id="clip"
+          value={clips.value.indexOf(clip.value!)}
+          onChange={({ currentTarget }) => player.choose(clips.value[Number(currentTarget.value)])}
+        >
+          {clips.value.map(({ uuid, name }, i) => (
+            <option key={uuid} value={i}>
+              {name || `Clip ${i + 1}`}
+            </option>
+          ))}
+        </select>
+      </div>
+      <Time player={player} />
+      <div class="work">
+        <button type="button" onClick={() => (isPlaying.value ? player.pause() : player.play())}>
+          {isPlaying.value ? 'Pause' : 'Play'}
+        </button>
+        <button
+          type="button"
+          disabled={!isShown.value}
+          title="Restore the pose that the face had before"
+          onClick={() => player.stop()}
+        >
+          Stop
+        </button>
+        <label class="check">
+          <input
+            type="checkbox"
+            checked={isLooped.value}
+            onChange={({ currentTarget }) => {
+              isLooped.value = currentTarget.checked
+            }}
+          />
+          Loop
+        </label>
+      </div>
+      <Choice
+        label="Speed"
+        options={SPEEDS}
+        value={`${speed.value}`}
+        onChange={(value) => {
+          speed.value = Number(value)
+        }}
+      />
+    </div>
   )
 }
 

@@ -1,6 +1,7 @@
 import { MAX_BLOOD_AMPLITUDE } from 'furrow/internal'
 import { useId, useRef } from 'preact/hooks'
 import { MAP_NAMES, type MapName, type StudioLayer } from '../document/document.ts'
+import { PLACES } from '../labels.ts'
 import type { LayerEditor } from '../session/layer-editor.ts'
 import { Choice } from './controls/choice.tsx'
 import { NumberSlider } from './controls/number-slider.tsx'
@@ -29,16 +30,24 @@ const MAP_LABELS: Record<MapName, string> = {
 const IMAGES = 'image/png,image/jpeg,image/webp'
 const SCULPTS = '.glb,.gltf,.vrm'
 
-export function Layers({ model: { layers, session } }: { model: PanelModel }) {
+interface LayersProps {
+  model: PanelModel
+  /** Layer of the selection, which is unfolded. */
+  shown: string | undefined
+}
+
+/** Layers with their maps. */
+export function Layers({ model: { layers, session, actions }, shown }: LayersProps) {
   const document = session.document.value
   const keys = useKeys(document?.layers.map(({ name }) => name) ?? [])
   if (!document) return null
   return (
-    <Section title="Layers" open={false}>
+    <Section title={PLACES.layers}>
       {document.layers.map((layer, i) => (
         <Layer
           key={keys[i]}
           layer={layer}
+          isShown={layer.name === shown}
           isFirst={i === 0}
           isLast={i === document.layers.length - 1}
           hasStrokes={document.strokes.some((stroke) => stroke.layer === layer.name)}
@@ -51,6 +60,9 @@ export function Layers({ model: { layers, session } }: { model: PanelModel }) {
         </button>
         <button type="button" title="All layers and areas as images, in a .zip" onClick={() => layers.save()}>
           Save all maps
+        </button>
+        <button type="button" title="A template to paint regions over" onClick={actions.saveUvLayout}>
+          Save UV layout
         </button>
       </div>
     </Section>
@@ -69,18 +81,19 @@ function useKeys(names: readonly string[]): readonly number[] {
 
 interface LayerProps {
   layer: StudioLayer
+  isShown: boolean
   isFirst: boolean
   isLast: boolean
   hasStrokes: boolean
   editor: LayerEditor
 }
 
-function Layer({ layer, isFirst, isLast, hasStrokes, editor }: LayerProps) {
+function Layer({ layer, isShown, isFirst, isLast, hasStrokes, editor }: LayerProps) {
   const { name, kind, normalScale, maps, heightAmplitude, bloodAmplitude, onsetStrength, isOnsetDrawn } =
     layer
   const id = useId()
   return (
-    <details class="layer">
+    <details class="layer" open={isShown}>
       <summary>
         {name}
         <span>{kind}</span>

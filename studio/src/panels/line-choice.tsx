@@ -1,5 +1,6 @@
 import { useId } from 'preact/hooks'
 import type { LayerStroke } from '../document/document.ts'
+import { LINE, regionLabel } from '../labels.ts'
 import type { LineEditor } from '../lines/line-editor.ts'
 import { type ShortcutName, shortcutOf } from '../shortcuts.ts'
 import { LabelledGroup } from './controls/labelled-group.tsx'
@@ -14,7 +15,7 @@ export function LineChoice({ editor, strokes }: { editor: LineEditor; strokes: r
   const id = useId()
   return (
     <div class="setting">
-      <label for={id}>Line</label>
+      <label for={id}>{LINE.line}</label>
       <select
         id={id}
         value={editor.chosen.value ? strokes.indexOf(editor.chosen.value) : ''}
@@ -33,16 +34,20 @@ export function LineChoice({ editor, strokes }: { editor: LineEditor; strokes: r
   )
 }
 
-/** Returns a name for each line: its group, with a number if the group has several lines. */
+/** Returns a name for each line: its region, with a number if the region has several lines. */
 function namesOf(strokes: readonly LayerStroke[]): string[] {
-  const groups = strokes.map(({ group }) => group ?? 'Without a group')
+  const groups = strokes.map(({ group }) => group ?? 'Without a region')
+  const labels = new Map(groups.map((group) => [group, regionLabel(group)]))
   const counts = new Map<string, number>()
   const numbers = groups.map((group) => {
     const number = (counts.get(group) ?? 0) + 1
     counts.set(group, number)
     return number
   })
-  return groups.map((group, i) => (counts.get(group) === 1 ? group : `${group} ${numbers[i]}`))
+  return groups.map((group, i) => {
+    const label = labels.get(group)!
+    return counts.get(group) === 1 ? label : `${label} ${numbers[i]}`
+  })
 }
 
 /** Buttons for the points and forks of the chosen line. Arrow keys move the point whose button has the focus. */
@@ -66,7 +71,7 @@ export function LinePoints({ editor, actions }: { editor: LineEditor; actions: P
     actions.moveLinePoint(right * step, down * step)
   }
   return (
-    <LabelledGroup label="Points">
+    <LabelledGroup label={LINE.points}>
       <div class="points">
         {handles.map(({ knot, fork }, i) => (
           <button

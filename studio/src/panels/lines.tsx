@@ -1,56 +1,39 @@
 import { BANK_WIDTHS, isBulge } from 'furrow/internal'
 import { useId } from 'preact/hooks'
+import { LINE } from '../labels.ts'
 import type { LineEditor, LineMode } from '../lines/line-editor.ts'
 import { type LineShape, meanTaper } from '../lines/line-shape.ts'
-import { Choice } from './controls/choice.tsx'
 import { NumberSlider } from './controls/number-slider.tsx'
-import { Section } from './controls/section.tsx'
 import { LineChoice, LinePoints } from './line-choice.tsx'
 import type { PanelModel } from './model.ts'
 
-const MODES: readonly { value: LineMode; label: string; title?: string }[] = [
-  { value: 'off', label: 'Off' },
-  { value: 'edit', label: 'Edit', title: 'Click a line, drag its points' },
-  { value: 'draw', label: 'Draw', title: 'Draw a new line on the skin' },
-]
-
-/** Section with the settings of the chosen wrinkle line, or of new lines. */
+/** Settings of the chosen wrinkle line, or of new lines. */
 export function Lines({ model }: { model: PanelModel }) {
   const { lines, session, actions } = model
-  const mode = lines.mode.value
+  const isNew = lines.mode.value === 'draw' && !lines.chosen.value
   const chosen = lines.chosen.value
-  const shape = mode === 'draw' ? lines.shape.value : chosen
+  const shape = isNew ? lines.shape.value : chosen
   return (
-    <Section title="Lines">
-      <div class="settings">
-        <Choice
-          label="Pointer"
-          options={MODES}
-          value={mode}
-          onChange={(value) => {
-            lines.mode.value = value
-          }}
-        />
-        {mode === 'edit' && <LineChoice editor={lines} strokes={session.document.value?.strokes ?? []} />}
-        <p class="hint">{hintOf(lines)}</p>
-        {mode === 'edit' && chosen && <LinePoints editor={lines} actions={actions} />}
-        {mode !== 'off' && shape && (
-          <>
-            <Shape shape={shape} editor={lines} attempt={actions.attempt} />
-            <Membership
-              group={mode === 'draw' ? lines.group.value : (chosen?.group ?? '')}
-              layer={mode === 'draw' ? lines.layer.value : (chosen?.layer ?? '')}
-              isNew={mode === 'draw'}
-              groups={groupsOf(session)}
-              layers={session.document.value?.layers.map(({ name }) => name) ?? []}
-              editor={lines}
-              attempt={actions.attempt}
-            />
-          </>
-        )}
-        {mode === 'edit' && chosen && <Operations editor={lines} attempt={actions.attempt} />}
-      </div>
-    </Section>
+    <div class="settings">
+      {!isNew && <LineChoice editor={lines} strokes={session.document.value?.strokes ?? []} />}
+      <p class="hint">{hintOf(lines)}</p>
+      {chosen && <LinePoints editor={lines} actions={actions} />}
+      {shape && (
+        <>
+          <Shape shape={shape} editor={lines} attempt={actions.attempt} />
+          <Membership
+            group={isNew ? lines.group.value : (chosen?.group ?? '')}
+            layer={isNew ? lines.layer.value : (chosen?.layer ?? '')}
+            isNew={isNew}
+            groups={groupsOf(session)}
+            layers={session.document.value?.layers.map(({ name }) => name) ?? []}
+            editor={lines}
+            attempt={actions.attempt}
+          />
+        </>
+      )}
+      {chosen && <Operations editor={lines} attempt={actions.attempt} />}
+    </div>
   )
 }
 
@@ -60,11 +43,14 @@ function hintOf({ mode, chosen, handles }: LineEditor): string {
 }
 
 const HINTS: Record<LineMode | 'chosen' | 'fork', string> = {
-  off: 'Every wrinkle is a line: edit those that are there, or draw your own.',
+  off: 'Every wrinkle is a line.',
+  select: 'Drag across the line to make it deeper.',
   edit: 'Click a line on the face, or choose it above.',
   chosen: 'Drag a point to move it. Shift+click or double-click adds one, Delete removes it.',
   fork: 'A diamond is a fork: dragging it moves all lines that meet there.',
   draw: 'Draw on the skin. Drag beside the face to turn it.',
+  smooth: 'Click a line, or drag over lines, to smooth them.',
+  erase: 'Click a line, or drag over lines, to delete them.',
 }
 
 type Attempt = PanelModel['actions']['attempt']
@@ -88,7 +74,9 @@ const TAPER = [0, 0.5, 0.01] as const
 function Shape({ shape, editor, attempt }: ControlsProps & { shape: LineShape }) {
   const { width, depth, softness, shoulder, bank, lean = 0 } = shape
   const isRaised = isBulge(shape)
-  const attached = editor.mode.value === 'edit' ? editor.attachedEnds.value : []
+  // The card over the face has the main values of a chosen line.
+  const isNew = !editor.chosen.value
+  const attached = isNew ? [] : editor.attachedEnds.value
   const slider = (
     label: string,
     range: readonly [number, number, number],
@@ -105,20 +93,20 @@ function Shape({ shape, editor, attempt }: ControlsProps & { shape: LineShape })
   )
   return (
     <div>
-      {slider('Width, mm', isRaised ? BULGE_WIDTH : WIDTH, width, (value) => ({ width: value }))}
-      {slider('Depth, mm', DEPTH, depth, (value) => ({ depth: value }))}
+      {isNew && slider(LINE.width, isRaised ? BULGE_WIDTH : WIDTH, width, (value) => ({ width: value }))}
+      {isNew && slider(LINE.depth, DEPTH, depth, (value) => ({ depth: value }))}
       {isRaised && <p class="hint">A negative depth raises the skin: the line is a bulge.</p>}
       {!isRaised && (
         <>
-          {slider('Softness', FRACTION, softness, (value) => ({ softness: value }))}
-          {slider('Shoulders', FRACTION, mean(shoulder), (value) => ({ shoulder: [value, value] }))}
-          {slider('Banks, mm', BANK, bank ? mean(bank) : BANK_WIDTHS * width, (value) => ({
+          {isNew && slider(LINE.softness, FRACTION, softness, (value) => ({ softness: value }))}
+          {slider(LINE.shoulder, FRACTION, mean(shoulder), (value) => ({ shoulder: [value, value] }))}
+          {slider(LINE.bank, BANK, bank ? mean(bank) : BANK_WIDTHS * width, (value) => ({
             bank: [value, value],
           }))}
         </>
       )}
-      {slider('Lean', LEAN, lean, (value) => ({ lean: value }))}
-      {slider('Taper', TAPER, meanTaper(shape, attached), (value) => ({ taper: [value, value] }))}
+      {slider(LINE.lean, LEAN, lean, (value) => ({ lean: value }))}
+      {slider(LINE.taper, TAPER, meanTaper(shape, attached), (value) => ({ taper: [value, value] }))}
     </div>
   )
 }
@@ -142,13 +130,13 @@ function Membership({ group, layer, isNew, groups, layers, editor, attempt }: Me
   return (
     <>
       <div class="setting">
-        <label for={`${id}-group`}>Group</label>
+        <label for={`${id}-group`}>{LINE.group}</label>
         <input
           id={`${id}-group`}
           type="search"
           list={`${id}-groups`}
           value={group}
-          placeholder={isNew ? 'The area under the line' : 'A new name creates an area'}
+          placeholder={isNew ? 'The region under the line' : 'A new name creates a region'}
           onChange={({ currentTarget }) => attempt(() => editor.setGroup(currentTarget.value.trim()))}
         />
         <datalist id={`${id}-groups`}>
@@ -158,13 +146,13 @@ function Membership({ group, layer, isNew, groups, layers, editor, attempt }: Me
         </datalist>
       </div>
       <div class="setting">
-        <label for={`${id}-layer`}>Layer</label>
+        <label for={`${id}-layer`}>{LINE.layer}</label>
         <select
           id={`${id}-layer`}
           value={layer}
           onChange={({ currentTarget }) => attempt(() => editor.setLayer(currentTarget.value))}
         >
-          {isNew && <option value="">The layer of the area</option>}
+          {isNew && <option value="">The layer of the region</option>}
           {layers.map((name) => (
             <option key={name} value={name}>
               {name}
@@ -188,17 +176,17 @@ function hasPoint({ handles, point }: LineEditor): boolean {
 
 function Operations({ editor, attempt }: ControlsProps) {
   const buttons: readonly [label: string, title: string, action: () => void, isDisabled?: boolean][] = [
-    ['Smooth', 'Moves its points towards a smoother line', () => editor.smooth()],
-    ['Split', 'At the chosen point, or in the middle', () => editor.split()],
-    ['Mirror', 'Adds its mirror image', () => editor.mirror()],
+    [LINE.smooth, 'Moves its points towards a smoother line', () => editor.smooth()],
+    [LINE.split, 'At the chosen point, or in the middle', () => editor.split()],
+    [LINE.mirror, 'Adds its mirror image', () => editor.mirror()],
     [
-      'Detach',
+      LINE.detach,
       'Shortens the line where it ends on another line',
       () => editor.detach(),
       editor.attachedEnds.value.length === 0,
     ],
-    ['Delete line', '', () => editor.removeLine()],
-    ['Delete point', 'Removes the chosen point', () => editor.remove(), !hasPoint(editor)],
+    [LINE.remove, '', () => editor.removeLine()],
+    [LINE.removePoint, 'Removes the chosen point', () => editor.remove(), !hasPoint(editor)],
   ]
   return (
     <fieldset class="grid lines-actions" aria-label="Chosen line">

@@ -14,12 +14,21 @@ import type { LayerEditor } from '../session/layer-editor.ts'
 import type { Session } from '../session/session.ts'
 import type { ShapeEditor } from '../session/shape-editor.ts'
 import type { Painting } from '../tools/painting.ts'
+import type { ToolChoice } from '../tools/tool-choice.ts'
 import type { Hovered } from '../viewer/hovered.ts'
 import type { Look } from '../viewer/looks/look.ts'
+import type { MeshVisibility } from '../viewer/mesh-visibility.ts'
 import type { ClipPlayer } from '../viewer/pose/clip-player.ts'
 import type { Dial } from '../viewer/pose/dials.ts'
+import type { PosePictures } from '../viewer/pose/pose-pictures.ts'
 import type { Staging } from '../viewer/staging.ts'
 import type { Viewer } from '../viewer/viewer.ts'
+
+/** Dialogs of the page. */
+export interface Dialogs {
+  readonly shortcuts: Signal<boolean>
+  readonly preferences: Signal<boolean>
+}
 
 /** State that the panels show, and actions that they offer. */
 export interface PanelModel {
@@ -30,6 +39,7 @@ export interface PanelModel {
   readonly layers: LayerEditor
   readonly shapes: ShapeEditor
   readonly painting: Painting
+  readonly tools: ToolChoice
   /** Names of the shipped faces. */
   readonly faces: ReadonlySignal<readonly string[]>
   readonly viewer: ReadonlySignal<Viewer | null>
@@ -42,6 +52,8 @@ export interface PanelModel {
   readonly hovered: Signal<Hovered | null>
   /** Light and turntable. */
   readonly staging: Staging
+  readonly meshes: MeshVisibility
+  readonly pictures: PosePictures
   readonly player: ClipPlayer
   readonly auto: ReadonlySignal<AutoSettings>
   /** Progress of making automatic wrinkles, or null. */
@@ -52,7 +64,7 @@ export interface PanelModel {
   readonly saving: ReadonlySignal<KeepState | null>
   /** Folder on disk to which the user saved the project, or null. */
   readonly folder: ReadonlySignal<FileSystemDirectoryHandle | null>
-  readonly isListOpen: Signal<boolean>
+  readonly dialogs: Dialogs
   readonly actions: PanelActions
 }
 
@@ -89,12 +101,15 @@ export interface PanelActions {
   /** Takes over the project from another tab that has it open. */
   takeOver(): void
   deleteProject(id: string): void
+  /** Packs the avatar with its wrinkles and saves the file. */
   exportFace(options: ExportOptions): void
   cancelExport(): void
-  saveExport(): void
   saveProject(): void
   /** Saves the project to its folder on disk. Asks for a folder if the project has none, or if `isOtherFolder` is true. */
   saveToFolder(isOtherFolder: boolean): void
   copyLink(): void
+  /** Saves the stage as an image. */
+  savePicture(): void
+  saveUvLayout(): void
   copyCode(text: string): void
 }

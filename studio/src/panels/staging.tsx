@@ -1,4 +1,6 @@
+import { VIEW } from '../labels.ts'
 import { reducedMotion } from '../motion.ts'
+import { Icon } from '../ui/icon.tsx'
 import { ballPoint, clampedLight, lightOnBall } from '../viewer/light-direction.ts'
 import { KEY_LIGHT, type Staging } from '../viewer/staging.ts'
 
@@ -8,23 +10,21 @@ const STEP = 5
 /** Controls of the stage: a ball on which the user drags the light, and the turntable. */
 export function StagingControls({ staging }: { staging: Staging }) {
   return (
-    <div class="setting staging">
-      <span class="label">Light</span>
+    <div class="staging">
       <LightBall staging={staging} />
-      <label
-        class="check"
-        title={reducedMotion.matches ? 'Off, as the system asks for less motion' : undefined}
+      <button
+        type="button"
+        class="plain"
+        aria-label={VIEW.turntable}
+        aria-pressed={staging.turntable.value}
+        disabled={reducedMotion.matches}
+        title={reducedMotion.matches ? 'Off, as the system asks for less motion' : VIEW.turntable}
+        onClick={() => {
+          staging.turntable.value = !staging.turntable.peek()
+        }}
       >
-        <input
-          type="checkbox"
-          checked={staging.turntable.value}
-          disabled={reducedMotion.matches}
-          onChange={({ currentTarget }) => {
-            staging.turntable.value = currentTarget.checked
-          }}
-        />
-        Turntable
-      </label>
+        <Icon name="turn" />
+      </button>
     </div>
   )
 }
@@ -56,7 +56,7 @@ function LightBall({ staging: { light } }: { staging: Staging }) {
       role="slider"
       tabIndex={0}
       title="Drag the light; Home or a double click resets it"
-      aria-label="Light"
+      aria-label={VIEW.light}
       aria-valuemin={-90}
       aria-valuemax={90}
       aria-valuenow={yaw}

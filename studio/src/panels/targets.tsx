@@ -1,5 +1,6 @@
 import { useSignal } from '@preact/signals'
 import { useMemo } from 'preact/hooks'
+import { PLACES } from '../labels.ts'
 import { type Dial, groupShapes, type ShapeGroup } from '../viewer/pose/dials.ts'
 import { FilterInput } from './controls/filter-input.tsx'
 import { Section } from './controls/section.tsx'
@@ -35,7 +36,7 @@ export function Targets({ model }: { model: PanelModel }) {
     </>
   )
   return (
-    <Section title="Blendshapes" aside={aside}>
+    <Section title={PLACES.targets} aside={aside}>
       <div class="filter">
         <FilterInput label="Filter blendshapes" id="filter" filter={filter} />
       </div>

@@ -38,8 +38,7 @@ type OpenFace = Pick<StudioDocument, 'scale' | 'areaSize'> & Pick<OpenedAvatar['
 /** Maximum number of vertices of a skin, over all its meshes, to prepare it in advance. Larger skins need hundreds of megabytes. */
 const MAX_PREPARED = 500_000
 
-export const PAINT_SHAPES = ['brush', 'polygon'] as const
-export type PaintShape = (typeof PAINT_SHAPES)[number]
+export type PaintShape = 'brush' | 'polygon'
 
 export interface PaintingParts {
   session: Session
@@ -78,7 +77,7 @@ export class Painting {
 
   constructor(parts: PaintingParts) {
     this.#parts = parts
-    const { session, areas, host } = parts
+    const { session, host } = parts
     this.#ring = new BrushRing(parts.stage)
     this.#addTool(host, () => this.#targetOnFace(), 'brush')
     this.polygon = new PolygonPainting({
@@ -97,9 +96,6 @@ export class Painting {
     this.#bind(host, onFace, 'polygon')
     effect(() => {
       if (this.area.value === null || this.shape.value !== 'polygon') this.polygon.clear()
-    })
-    effect(() => {
-      if (!areas.chosen.value) this.#isOn.value = false
     })
     this.#prepareSkins()
     effect(() => {

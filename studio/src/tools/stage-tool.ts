@@ -13,6 +13,8 @@ export interface StagePointer {
 }
 
 export interface StageTool {
+  /** Whether the tool leaves the divider and the pointer of the stage as they are. */
+  readonly isQuiet?: boolean
   /** Returns a promise that settles when the tool is ready, or null if there is nothing to wait for. Pointer events are delayed until then. */
   preparation?(): Promise<unknown> | null
   /** Begins a gesture. Returns whether the tool captures the pointer until release. Otherwise, the camera orbits. */

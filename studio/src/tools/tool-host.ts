@@ -41,7 +41,7 @@ export class ToolHost {
     this.cancel()
     this.#tool?.hover?.(null)
     this.#tool = tool
-    this.#stage.classList.toggle('with-tool', tool !== null)
+    this.#stage.classList.toggle('with-tool', tool !== null && !tool.isQuiet)
   }
 
   readonly #onDown = (event: PointerEvent): void => {

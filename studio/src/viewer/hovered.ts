@@ -2,4 +2,6 @@
 export interface Hovered {
   kind: 'area' | 'target' | 'shape'
   name: string
+  /** Whether the pointer is on the skin of the face, not on a control. */
+  isOnFace?: boolean
 }

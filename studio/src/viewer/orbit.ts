@@ -39,6 +39,7 @@ export class Orbit {
     this.#controls = new OrbitControls(stage.camera, element)
     this.#controls.enableDamping = !reducedMotion
     this.#controls.dampingFactor = 0.12
+    this.#controls.zoomToCursor = true
     this.#controls.addEventListener('start', () => {
       this.#leaveView()
     })
@@ -89,6 +90,19 @@ export class Orbit {
     this.#transition = immediate || this.#reducedMotion ? null : { from, to, elapsed: 0 }
     this.pose = this.#transition ? from : to
     this.#view = name
+  }
+
+  /** Moves the camera in its direction, so that a sphere fills a third of the picture. @param target centre of the sphere, world space. */
+  lookAt(target: Vector3, radius: number): void {
+    const from = this.pose
+    const { fov } = this.#stage.camera
+    const wanted = (3 * radius) / Math.tan((fov * Math.PI) / 360)
+    const distance = Math.min(Math.max(wanted, this.#nearest), this.#farthest)
+    const direction = from.position.clone().sub(from.target).normalize()
+    const to = { target, position: target.clone().addScaledVector(direction, distance) }
+    this.#view = null
+    this.#transition = this.#reducedMotion ? null : { from, to, elapsed: 0 }
+    this.pose = this.#transition ? from : to
   }
 
   /** Applies the pose and the fixed view of another `Orbit`. */

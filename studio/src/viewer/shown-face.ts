@@ -2,10 +2,12 @@ import { type ReadonlySignal, type Signal, signal, untracked } from '@preact/sig
 import type { Messages } from '../messages.ts'
 import { reducedMotion } from '../motion.ts'
 import type { Hovered } from './hovered.ts'
+import { MeshVisibility } from './mesh-visibility.ts'
 import type { Orbit } from './orbit.ts'
 import { ClipPlayer } from './pose/clip-player.ts'
 import type { Dial } from './pose/dials.ts'
 import { Performer } from './pose/performer.ts'
+import { PosePictures } from './pose/pose-pictures.ts'
 import { Staging } from './staging.ts'
 import type { Viewer } from './viewer.ts'
 
@@ -27,6 +29,8 @@ export class ShownFace {
   readonly viewer = signal<Viewer | null>(null)
   readonly hovered: Signal<Hovered | null> = signal(null)
   readonly staging: Staging
+  readonly meshes: MeshVisibility
+  readonly pictures: PosePictures
   readonly player: ClipPlayer
   readonly #parts: ShownFaceParts
   readonly #performer: Performer
@@ -38,11 +42,18 @@ export class ShownFace {
     this.#parts = parts
     const { viewer } = this
     this.staging = new Staging({ viewer, orbit: parts.orbit, wake: parts.wake })
+    this.meshes = new MeshVisibility(viewer, parts.wake)
     const onPose = () => {
       this.#frame.value++
       parts.wake()
     }
     this.#performer = new Performer({ viewer, isSideLit: this.staging.isSideLit, onPose })
+    this.pictures = new PosePictures({
+      viewer,
+      live: parts.live,
+      revision: this.#revision,
+      isMoving: () => this.isMoving || this.#performer.isPerforming,
+    })
     this.player = new ClipPlayer({
       viewer,
       begin: () => {
@@ -177,7 +188,7 @@ export class ShownFace {
     else if (hovered.kind === 'shape') viewer.highlight([])
     else if (hovered.kind === 'target') viewer.highlight(viewer.driven.drivenBy(hovered.name))
     // Do not highlight: the preview shows the wrinkles of the area.
-    else if (painted === null && viewer.performanceOf(hovered.name)) viewer.highlight([])
+    else if (!hovered.isOnFace && painted === null && viewer.performanceOf(hovered.name)) viewer.highlight([])
     else viewer.highlight([hovered.name])
     this.#parts.wake()
   }

@@ -2,16 +2,15 @@ import {
   type Area,
   type ArraySlice,
   driversOf,
+  type Expression,
   FurrowError,
   type GrayImage,
   type Layer,
   type WrinkleDriver,
 } from 'furrow'
-import { addArea, removeArea, Wrinkles as WebGLWrinkles, type WrinkleMode } from 'furrow/three'
-import { Wrinkles as WebGPUWrinkles } from 'furrow/webgpu'
-import type { Mesh } from 'three'
+import { addArea, removeArea, type WrinkleMode } from 'furrow/three'
+import type { Mesh, Object3D } from 'three'
 import type { Face } from '../../../stage/face.ts'
-import { isWebGL } from '../../../stage/light.ts'
 import type { RendererKind, Stage, Wrinkles } from '../../../stage/stage.ts'
 import { faceOf, type OpenedAvatar } from '../open/avatar.ts'
 import { releaseFromGPU } from '../open/release.ts'
@@ -31,6 +30,8 @@ export class Viewer {
   readonly kind: RendererKind
   readonly stage: Stage
   readonly avatar: OpenedAvatar
+  /** All meshes of the avatar. */
+  readonly meshes: readonly Mesh[]
   targets: readonly Dial[] = []
   areas: readonly Dial[] = []
   /** Position of the divider, as a fraction of the canvas's width. */
@@ -63,6 +64,7 @@ export class Viewer {
     this.#sides = new Sides(canvas, stage)
     const face = faceOf(avatar)
     this.#face = face
+    this.meshes = meshesOf(face.root)
     this.#plain = cloned(face.skin.material)
     this.#expressions = new FaceExpressions(avatar.root, avatar.expressions)
     stage.show(face)
@@ -117,7 +119,7 @@ export class Viewer {
     }
     this.driven.attach(this.#wrinkles, wrinkles?.set.areas ?? [], wrinkles?.drivers ?? [])
     this.onsets = onsetsOf(wrinkles?.set.layers ?? [])
-    const createMirror = (mesh: Mesh, own: Wrinkles) => this.#createMirror(mesh, own)
+    const createMirror = (mesh: Mesh, own: Wrinkles) => this.stage.mirror(mesh, own)
     this.#looks = new Looks(this.#face, this.#wrinkles, cloned(this.#plain), createMirror, this.onsets)
     this.#rebuildAreas()
     this.driven.drive()
@@ -181,8 +183,8 @@ export class Viewer {
     return performanceOf(area, this.driven.drivers.list, this.#expressions.list, names)
   }
 
-  get expressionNames(): string[] {
-    return this.#expressions.list.map(({ name }) => name)
+  get expressions(): readonly Expression[] {
+    return this.#expressions.list
   }
 
   /** Whether a transition to an expression is running. */
@@ -267,16 +269,18 @@ export class Viewer {
     const names = (dials: readonly Dial[]) => dials.map(({ name }) => name)
     this.#expressions.rebuild(this.driven.drivers, this.wrinkles, names(this.targets), names(this.areas))
   }
-
-  #createMirror(mesh: Mesh, wrinkles: Wrinkles): Wrinkles {
-    return isWebGL(this.stage.renderer)
-      ? new WebGLWrinkles(mesh, wrinkles)
-      : new WebGPUWrinkles(mesh, wrinkles)
-  }
 }
 
 function cloned(material: Mesh['material']): Mesh['material'] {
   return Array.isArray(material) ? material.map((each) => each.clone()) : material.clone()
+}
+
+function meshesOf(root: Object3D): Mesh[] {
+  const meshes: Mesh[] = []
+  root.traverse((object) => {
+    if ((object as Mesh).isMesh) meshes.push(object as Mesh)
+  })
+  return meshes
 }
 
 function onsetsOf(layers: readonly Layer<ArraySlice>[]): ReadonlyMap<string, GrayImage> {

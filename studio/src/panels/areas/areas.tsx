@@ -1,15 +1,16 @@
 import { useLayoutEffect, useRef } from 'preact/hooks'
 import type { StudioDocument } from '../../document/document.ts'
+import { splitSide } from '../../document/sides.ts'
+import { PLACES, REGION, regionLabel } from '../../labels.ts'
 import type { AreaEditor } from '../../session/area-editor.ts'
+import { Icon } from '../../ui/icon.tsx'
 import type { Dial } from '../../viewer/pose/dials.ts'
 import { Section } from '../controls/section.tsx'
 import { Slider } from '../controls/slider.tsx'
-import { Reasons } from '../drivers/reasons.tsx'
 import type { PanelModel } from '../model.ts'
 import { AreaThumbnail } from './area-thumbnail.tsx'
-import { ChosenArea } from './chosen-area.tsx'
 
-/** Sliders of all areas, controls of the chosen area, and buttons to add areas. */
+/** Sliders of all areas, which the page calls regions, and buttons to add areas. */
 export function Areas({ model }: { model: PanelModel }) {
   const { session, areas, viewer, revision, frame, hovered, actions } = model
   revision.value
@@ -30,17 +31,18 @@ export function Areas({ model }: { model: PanelModel }) {
     hovered.value = dial && { kind: 'area', name: dial.name }
   }
   const reset = (
-    <button type="button" class="quiet" aria-label="Reset all areas" onClick={() => actions.reset(dials)}>
-      Reset
+    <button type="button" class="quiet" aria-label="Reset all regions" onClick={() => actions.reset(dials)}>
+      {REGION.reset}
     </button>
   )
   return (
-    <Section title="Areas" aside={reset}>
+    <Section title={PLACES.regions} aside={reset}>
       <div id="areas" class="rows" ref={list}>
         {dials.map((dial, index) => (
           <Slider
             key={dial.name}
             dial={dial}
+            label={regionLabel(dial.name)}
             frame={frame}
             linked={driven.includes(dial.name)}
             onInput={actions.input}
@@ -48,44 +50,43 @@ export function Areas({ model }: { model: PanelModel }) {
             before={document && <ChooseArea name={dial.name} model={model} />}
           >
             {document && <ShownToggles name={dial.name} areas={areas} />}
-            <button
-              type="button"
-              class="remove"
-              title="Remove"
-              aria-label={`Remove area ${dial.name}`}
-              onClick={() => {
-                removed.current = index
-                actions.removeArea(dial.name)
-              }}
-            >
-              ×
-            </button>
+            {!document && (
+              <button
+                type="button"
+                class="remove"
+                title="Remove"
+                aria-label={`Remove region ${dial.name}`}
+                onClick={() => {
+                  removed.current = index
+                  actions.removeArea(dial.name)
+                }}
+              >
+                ×
+              </button>
+            )}
           </Slider>
         ))}
       </div>
-      <Explanation model={model} />
-      {document && <ChosenArea model={model} />}
       <AddAreas model={model} />
     </Section>
   )
 }
 
-/** Explains the drivers of the area under the pointer. */
-function Explanation({ model }: { model: PanelModel }) {
-  const { kind, name } = model.hovered.value ?? {}
-  return kind === 'area' && name !== undefined ? <Reasons area={name} model={model} /> : null
-}
-
+/** Sorts areas as in the document, and puts the two sides of a region next to each other. */
 function sortDials(dials: readonly Dial[], document: StudioDocument | null): readonly Dial[] {
-  if (!document) return dials
-  const index = new Map(document.areas.map(({ name }, i) => [name, i]))
-  const indexOf = ({ name }: Dial) => index.get(name) ?? index.size
-  return dials.toSorted((a, b) => indexOf(a) - indexOf(b))
+  const names = (document?.areas ?? dials).map(({ name }) => name)
+  const first = new Map<string, number>()
+  for (const [i, name] of names.entries()) {
+    const [stem] = splitSide(name)
+    if (!first.has(stem)) first.set(stem, i)
+  }
+  const indexOf = ({ name }: Dial) => first.get(splitSide(name)[0]) ?? names.length
+  return dials.toSorted((a, b) => indexOf(a) - indexOf(b) || names.indexOf(a.name) - names.indexOf(b.name))
 }
 
 /** Radio button that looks like the area's thumbnail. */
 function ChooseArea({ name, model }: { name: string; model: PanelModel }) {
-  const { areas, hovered } = model
+  const { areas, lines, hovered } = model
   const point = (isHere: boolean) => {
     hovered.value = isHere ? { kind: 'area', name } : null
   }
@@ -101,10 +102,13 @@ function ChooseArea({ name, model }: { name: string; model: PanelModel }) {
       <input
         type="radio"
         name="chosen-area"
-        title="Edit and paint"
-        aria-label={`Edit area ${name}`}
+        title="Select"
+        aria-label={`Select ${regionLabel(name)} ${name}`}
         checked={areas.chosen.value?.name === name}
-        onChange={() => areas.choose(name)}
+        onChange={() => {
+          lines.choose(null)
+          areas.choose(name)
+        }}
         onFocus={({ currentTarget }) => {
           // Ignore focus by a click. The pointer is then already on the area.
           if (currentTarget.matches(':focus-visible')) point(true)
@@ -125,7 +129,7 @@ function ShownToggles({ name, areas }: { name: string; areas: AreaEditor }) {
       <button
         type="button"
         class="toggle"
-        title="Solo: show only this area"
+        title="Show only this region"
         aria-label={`Solo ${name}`}
         aria-pressed={areas.soloed.value.has(name)}
         onClick={() => areas.toggleSolo(name)}
@@ -135,12 +139,12 @@ function ShownToggles({ name, areas }: { name: string; areas: AreaEditor }) {
       <button
         type="button"
         class="toggle"
-        title="Mute: show the face without this area"
-        aria-label={`Mute ${name}`}
+        title="Show the face without this region"
+        aria-label={`Hide ${name}`}
         aria-pressed={areas.muted.value.has(name)}
         onClick={() => areas.toggleMute(name)}
       >
-        M
+        <Icon name="eye" />
       </button>
     </>
   )
@@ -153,7 +157,7 @@ function AddAreas({ model: { session, areas, actions } }: { model: PanelModel })
       <div class="add">
         {session.document.value && (
           <button type="button" onClick={() => areas.addEmpty()}>
-            New area
+            {REGION.add}
           </button>
         )}
         <label class="file">
@@ -168,7 +172,7 @@ function AddAreas({ model: { session, areas, actions } }: { model: PanelModel })
               currentTarget.value = ''
             }}
           />
-          <span>Add area…</span>
+          <span>{REGION.addImage}</span>
         </label>
         <label class="check">
           <input
@@ -178,7 +182,7 @@ function AddAreas({ model: { session, areas, actions } }: { model: PanelModel })
               isPaper.value = currentTarget.checked
             }}
           />
-          White = no wrinkles
+          {REGION.paper}
         </label>
       </div>
       <p id="add-hint" class="hint">

@@ -1,98 +1,85 @@
 import { useId } from 'preact/hooks'
 import { readArea } from '../../area-file.ts'
 import type { StudioArea } from '../../document/document.ts'
-import { Drivers } from '../drivers/drivers.tsx'
+import { PLACES, REGION, regionLabel } from '../../labels.ts'
+import { NumberSlider } from '../controls/number-slider.tsx'
 import type { PanelModel } from '../model.ts'
-import { PaintControls } from '../painting/painting.tsx'
 
 const COMBINATIONS: readonly { value: StudioArea['combine']; label: string }[] = [
   { value: 'sum', label: 'Added' },
   { value: 'max', label: 'Maximum' },
 ]
 
+/** Settings of the chosen area, which the page calls a region. */
 export function ChosenArea({ model }: { model: PanelModel }) {
-  const { areas, actions } = model
+  const { areas } = model
   const area = areas.chosen.value
   const id = useId()
   if (!area) return null
   const { name, activation } = area
   return (
-    <section class="chosen-area" aria-label={`Area ${name}`}>
-      <div class="settings">
-        <div class="setting">
-          <label for={`${id}-name`}>Name</label>
-          <input
-            id={`${id}-name`}
-            type="text"
-            autocomplete="off"
-            spellcheck={false}
-            value={name}
-            onChange={({ currentTarget }) => {
-              areas.rename(name, currentTarget.value)
-              // If another area has the new name, show the old name again.
-              currentTarget.value = areas.chosen.peek()?.name ?? name
-            }}
-          />
-        </div>
-        <LayerChoice area={area} model={model} />
-        <div class="setting">
-          <label for={`${id}-combine`}>Overlap</label>
-          <select
-            id={`${id}-combine`}
-            title="How this area combines with other areas of its layer"
-            value={area.combine}
-            onChange={({ currentTarget }) =>
-              areas.set(name, { combine: currentTarget.value as StudioArea['combine'] })
-            }
-          >
-            {COMBINATIONS.map(({ value, label }) => (
-              <option key={value} value={value}>
-                {label}
-              </option>
-            ))}
-          </select>
-        </div>
-      </div>
-      <div class="row number">
-        <label for={`${id}-rest`} title="Activation while nothing else activates the area">
-          At rest
-        </label>
-        <input
-          id={`${id}-rest`}
-          type="range"
-          min="0"
-          max="1"
-          step="0.01"
-          value={activation}
-          style={{ '--value': activation }}
-          onInput={({ currentTarget }) => areas.set(name, { activation: currentTarget.valueAsNumber })}
-          onChange={() => areas.settle()}
-        />
-        <output for={`${id}-rest`} aria-live="off">
-          {activation.toFixed(2)}
-        </output>
-      </div>
+    <section class="chosen-area" aria-label={`${regionLabel(name)} ${name}`}>
+      <NumberSlider
+        label={REGION.rest}
+        range={[0, 1, 0.01]}
+        value={activation}
+        onMove={(next) => areas.set(name, { activation: next })}
+        onRest={() => areas.settle()}
+      />
       <div class="add">
-        <button type="button" onClick={() => areas.recordPose(name, actions.pose())}>
-          This pose fully shows this area
-        </button>
         <button type="button" onClick={() => areas.duplicate(name)}>
-          Duplicate
+          {REGION.duplicate}
         </button>
         <button
           type="button"
-          title="Add or replace the mirror image of this area"
+          title="Add or replace the mirror image of this region"
           onClick={() => areas.mirror(name, (weights) => model.painting.mirrored(weights))}
         >
-          Mirror
+          {REGION.mirror}
         </button>
         <FromImage name={name} model={model} />
         <button type="button" onClick={() => areas.remove(name)}>
-          Delete
+          {REGION.remove}
         </button>
       </div>
-      <PaintControls painting={model.painting} />
-      <Drivers model={model} area={name} />
+      <details>
+        <summary>{PLACES.advanced}</summary>
+        <div class="settings">
+          <div class="setting">
+            <label for={`${id}-name`}>{REGION.name}</label>
+            <input
+              id={`${id}-name`}
+              type="text"
+              autocomplete="off"
+              spellcheck={false}
+              value={name}
+              onChange={({ currentTarget }) => {
+                areas.rename(name, currentTarget.value)
+                // If another area has the new name, show the old name again.
+                currentTarget.value = areas.chosen.peek()?.name ?? name
+              }}
+            />
+          </div>
+          <LayerChoice area={area} model={model} />
+          <div class="setting">
+            <label for={`${id}-combine`}>{REGION.overlap}</label>
+            <select
+              id={`${id}-combine`}
+              title="How this region combines with other regions of its layer"
+              value={area.combine}
+              onChange={({ currentTarget }) =>
+                areas.set(name, { combine: currentTarget.value as StudioArea['combine'] })
+              }
+            >
+              {COMBINATIONS.map(({ value, label }) => (
+                <option key={value} value={value}>
+                  {label}
+                </option>
+              ))}
+            </select>
+          </div>
+        </div>
+      </details>
     </section>
   )
 }
@@ -115,7 +102,7 @@ function FromImage({ name, model: { areas, actions } }: { name: string; model: P
           currentTarget.value = ''
         }}
       />
-      <span>From image…</span>
+      <span>{REGION.fromImage}</span>
     </label>
   )
 }
@@ -125,7 +112,7 @@ function LayerChoice({ area, model: { session, areas } }: { area: StudioArea; mo
   const layers = session.document.value?.layers ?? []
   return (
     <div class="setting">
-      <label for={id}>Layer</label>
+      <label for={id}>{REGION.layer}</label>
       <select
         id={id}
         value={area.layer}

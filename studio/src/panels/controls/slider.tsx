@@ -6,6 +6,8 @@ import type { Dial } from '../../viewer/pose/dials.ts'
 
 interface SliderProps {
   dial: Dial
+  /** Label before the dial's name. Default: only the name. */
+  label?: string
   /** Signal that changes when the dial's value may have changed. */
   frame: ReadonlySignal<number>
   onInput(dial: Dial, value: number): void
@@ -22,6 +24,7 @@ interface SliderProps {
 /** Labelled slider for a dial. If the value changes, updates the DOM without rendering the component. */
 export function Slider({
   dial,
+  label,
   frame,
   onInput,
   onHover,
@@ -62,9 +65,12 @@ export function Slider({
         }}
         onPointerLeave={() => hover(false)}
       >
-        {start}
-        <wbr />
-        {side}
+        {label && <span>{label} </span>}
+        <span class={label && 'file-name'}>
+          {start}
+          <wbr />
+          {side}
+        </span>
       </label>
       <input
         ref={input}

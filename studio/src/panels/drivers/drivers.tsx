@@ -3,6 +3,7 @@ import type { ExpressionDriver, WrinkleDriver } from 'furrow'
 import { useMemo } from 'preact/hooks'
 import { driverProblems } from '../../document/driver-problems.ts'
 import { areaOf } from '../../document/drivers.ts'
+import { PLACES, REGION } from '../../labels.ts'
 import { DriverEditor } from '../../session/driver-editor.ts'
 import type { PanelModel } from '../model.ts'
 import { AddDriver } from './add-driver.tsx'
@@ -16,7 +17,7 @@ const UNSET = 0.01
 
 /** Drivers of an area with their current contributions, and conflicts between their blendshapes. */
 export function Drivers({ model, area }: { model: PanelModel; area: string }) {
-  const { session, viewer, revision, frame, actions } = model
+  const { session, areas, viewer, revision, frame, actions } = model
   revision.value
   const document = session.document.value
   const editor = useMemo(() => new DriverEditor(session, actions.attempt), [session, actions])
@@ -55,34 +56,39 @@ export function Drivers({ model, area }: { model: PanelModel; area: string }) {
     isRelevant(driver, area) ? [{ driver, index }] : [],
   )
   return (
-    <details class="drivers" open>
-      <summary>
-        Drivers
-        <output class="part" title="Activation now" aria-live="off">
-          {sum}
-        </output>
-      </summary>
-      {own.length === 0 && <p class="hint">Only its slider moves this area. Add a driver.</p>}
-      {own.map(({ driver, index }) => (
-        <DriverCard
-          key={`${index} ${driver.type}`}
-          driver={driver}
-          index={index}
+    <>
+      <button type="button" onClick={() => areas.recordPose(area, actions.pose())}>
+        {REGION.record}
+      </button>
+      <details class="drivers" open>
+        <summary>
+          {PLACES.drivers}
+          <output class="part" title="Activation now" aria-live="off">
+            {sum}
+          </output>
+        </summary>
+        {own.length === 0 && <p class="hint">Only its slider moves this region. Add a driver.</p>}
+        {own.map(({ driver, index }) => (
+          <DriverCard
+            key={`${index} ${driver.type}`}
+            driver={driver}
+            index={index}
+            context={context}
+            problem={problems.get(index)}
+            open={index === added.value}
+          />
+        ))}
+        <AddDriver
+          document={document}
           context={context}
-          problem={problems.get(index)}
-          open={index === added.value}
+          onAdd={(driver) => {
+            added.value = document.drivers.length
+            editor.add(driver)
+          }}
         />
-      ))}
-      <AddDriver
-        document={document}
-        context={context}
-        onAdd={(driver) => {
-          added.value = document.drivers.length
-          editor.add(driver)
-        }}
-      />
-      <Conflicts context={context} />
-    </details>
+        <Conflicts context={context} />
+      </details>
+    </>
   )
 }
 

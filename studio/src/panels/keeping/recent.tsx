@@ -1,12 +1,13 @@
 import type { ProjectEntry } from '../../keep/project-store.ts'
-import { Section } from '../controls/section.tsx'
+import { FILE } from '../../labels.ts'
 import type { PanelModel } from '../model.ts'
 
 export function Recent({ model: { projects, actions } }: { model: PanelModel }) {
   const entries = projects.value
   if (entries.length === 0) return null
   return (
-    <Section title="Recent work" open={false}>
+    <section aria-labelledby="recent">
+      <h2 id="recent">{FILE.recent}</h2>
       <ul class="list">
         {entries.map((entry) => (
           <li key={entry.id}>
@@ -31,7 +32,7 @@ export function Recent({ model: { projects, actions } }: { model: PanelModel }) 
           </li>
         ))}
       </ul>
-    </Section>
+    </section>
   )
 }
 

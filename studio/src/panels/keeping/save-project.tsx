@@ -1,4 +1,5 @@
 import { canWriteFolders } from '../../keep/disk-folder.ts'
+import { FILE } from '../../labels.ts'
 import type { PanelModel } from '../model.ts'
 
 /** Buttons that save the project as a .zip file or, if the browser can write folders, as a folder. */
@@ -7,7 +8,7 @@ export function SaveProject({ model: { folder, actions } }: { model: PanelModel 
   return (
     <div class="add">
       <button type="button" onClick={actions.saveProject}>
-        Save project (.zip)
+        {FILE.saveProject}
       </button>
       {canWriteFolders() && known && (
         <button type="button" onClick={() => actions.saveToFolder(false)}>

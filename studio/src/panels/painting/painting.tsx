@@ -1,50 +1,26 @@
+import { PLACES, TOOLS } from '../../labels.ts'
 import { BRUSH_MODES, type Brush } from '../../paint/brush.ts'
-import { PAINT_SHAPES, type Painting } from '../../tools/painting.ts'
+import type { Painting } from '../../tools/painting.ts'
 import { Choice } from '../controls/choice.tsx'
 import { NumberSlider } from '../controls/number-slider.tsx'
+import type { PanelModel } from '../model.ts'
 import { PaintChecks } from './paint-checks.tsx'
 import { PolygonControls } from './polygon.tsx'
 
 const titled = <T extends string>(value: T) => ({ value, label: value[0].toUpperCase() + value.slice(1) })
-const SHAPES = PAINT_SHAPES.map(titled)
 const MODES = BRUSH_MODES.map(titled)
 
 /** Minimum, maximum and step of the slider for the diameter, millimetres. With keys, users can exceed this range. */
 const SIZES = [1, 80, 0.5] as const
 
-/** Button that starts painting, and the settings of its tools. */
-export function PaintControls({ painting }: { painting: Painting }) {
-  const isOn = painting.area.value !== null
+/** Settings of the brush or the polygon. */
+export function BrushSettings({ model: { painting, areas } }: { model: PanelModel }) {
+  const isBrush = painting.shape.value === 'brush'
   return (
-    <>
-      <button
-        type="button"
-        class="paint"
-        aria-pressed={isOn}
-        onClick={() => {
-          painting.isOn = !isOn
-        }}
-      >
-        Paint
-      </button>
-      {isOn && (
-        <div class="brush">
-          <Choice
-            label="Tool"
-            options={SHAPES}
-            value={painting.shape.value}
-            onChange={(shape) => {
-              painting.shape.value = shape
-            }}
-          />
-          {painting.shape.value === 'brush' ? (
-            <BrushControls painting={painting} />
-          ) : (
-            <PolygonControls painting={painting} />
-          )}
-        </div>
-      )}
-    </>
+    <section class="brush" aria-label={isBrush ? PLACES.brush : TOOLS.polygon}>
+      {!areas.chosen.value && <p class="hint">Click a region on the face or in the list, then paint it.</p>}
+      {isBrush ? <BrushControls painting={painting} /> : <PolygonControls painting={painting} />}
+    </section>
   )
 }
 

@@ -1,8 +1,8 @@
 import { useSignal } from '@preact/signals'
 import { useEffect, useId } from 'preact/hooks'
 import { hasOutdatedWrinkles } from '../../document/shapes.ts'
+import { PLACES } from '../../labels.ts'
 import type { ShapeRow as Row } from '../../session/shape-editor.ts'
-import { AutoProgress } from '../auto-progress.tsx'
 import { FilterInput } from '../controls/filter-input.tsx'
 import { Section } from '../controls/section.tsx'
 import type { PanelModel } from '../model.ts'
@@ -26,7 +26,7 @@ export function Shapes({ model }: { model: PanelModel }) {
   }, [isOpen.value, skin])
   return (
     <Section
-      title="Shapes"
+      title={PLACES.shapes}
       open={false}
       onToggle={(isOpenNow) => {
         isOpen.value = isOpenNow
@@ -64,8 +64,7 @@ function Progress({ model: { shapes, actions } }: { model: PanelModel }) {
 function Outdated({ model }: { model: PanelModel }) {
   const { session, auto, autoRun, actions } = model
   const document = session.document.value
-  const isOutdated = document !== null && hasOutdatedWrinkles(document)
-  if (isOutdated && autoRun.value) return <AutoProgress model={model} />
+  const isOutdated = document !== null && !autoRun.value && hasOutdatedWrinkles(document)
   return (
     <div role="status">
       {isOutdated && (

@@ -2,21 +2,13 @@ import type { ReadonlySignal, Signal } from '@preact/signals'
 import { reducedMotion } from '../../motion.ts'
 import type { Hovered } from '../hovered.ts'
 import type { Viewer } from '../viewer.ts'
-import type { Dial } from './dials.ts'
 import { poseOfTarget } from './performance.ts'
+import { type Numbers, type Pose, poseOf, writePose } from './pose.ts'
 
 /** Time that the pointer must stay on a control before the preview starts, milliseconds. */
 const DELAY = 150
 /** Duration of the transition to a preview, and of the transition back, seconds. */
 const TIME = 0.35
-
-/** Values of dials. The keys are the names of the dials. */
-type Numbers = ReadonlyMap<string, number>
-
-interface Pose {
-  targets: Numbers
-  areas: Numbers
-}
 
 export interface PerformerParts {
   viewer: ReadonlySignal<Viewer | null>
@@ -42,6 +34,11 @@ export class Performer {
     return this.#transition !== null
   }
 
+  /** Whether the face shows a preview, or moves to or from one. */
+  get isPerforming(): boolean {
+    return this.#before !== null
+  }
+
   /** Starts a preview after a delay. Null ends the preview. */
   request(shown: Hovered | null): void {
     clearTimeout(this.#timer)
@@ -53,7 +50,7 @@ export class Performer {
   settle(): void {
     clearTimeout(this.#timer)
     const viewer = this.#parts.viewer.peek()
-    if (viewer && this.#before) write(viewer, this.#before)
+    if (viewer && this.#before) writePose(viewer, this.#before)
     this.#end()
   }
 
@@ -65,7 +62,7 @@ export class Performer {
     this.#transition.elapsed += delta
     const t = Math.min(1, this.#transition.elapsed / TIME)
     const eased = t * t * (3 - 2 * t)
-    write(viewer, {
+    writePose(viewer, {
       targets: between(from.targets, to.targets, eased),
       areas: between(from.areas, to.areas, eased),
     })
@@ -110,28 +107,8 @@ export class Performer {
   }
 }
 
-function poseOf({ targets, areas }: Viewer): Pose {
-  return { targets: numbersOf(targets), areas: numbersOf(areas) }
-}
-
-function numbersOf(dials: readonly Dial[]): Numbers {
-  return new Map(dials.map(({ name, read }) => [name, read()]))
-}
-
 function between(from: Numbers, to: Numbers, t: number): Numbers {
   return new Map(
     [...to].map(([name, end]) => [name, t === 1 ? end : (from.get(name) ?? 0) * (1 - t) + end * t]),
   )
-}
-
-/** Sets the face to a pose. Sets blendshapes first, because they change driven areas. */
-function write({ targets, areas }: Viewer, pose: Pose): void {
-  const writeAll = (dials: readonly Dial[], numbers: Numbers) => {
-    for (const dial of dials) {
-      const number = numbers.get(dial.name)
-      if (number !== undefined && number !== dial.read()) dial.write(number)
-    }
-  }
-  writeAll(targets, pose.targets)
-  writeAll(areas, pose.areas)
 }

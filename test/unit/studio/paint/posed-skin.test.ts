@@ -13,7 +13,7 @@ const SCALE = 1000
 
 function lineSkinOf(meshes: [Mesh]): LineSkin {
   const posed = posedSkinOf(meshes, SCALE)
-  return new LineSkin(posed, skinCanvas(posed.skin.skin, 64, 64, SCALE))
+  return new LineSkin(posed, skinCanvas(posed.skin.skin, 64, 64, SCALE), () => undefined)
 }
 
 it('painting and lines share one skin of an avatar', () => {

@@ -1,27 +1,28 @@
 import { useSignal } from '@preact/signals'
 import { WRINKLE_MAPS } from 'furrow/internal'
 import { useId } from 'preact/hooks'
-import type { ExportState } from '../../session/exporting.ts'
-import { Section } from '../controls/section.tsx'
-import type { PanelModel } from '../model.ts'
-import { SaveProject } from './save-project.tsx'
+import { FILE } from '../labels.ts'
+import type { PanelModel } from '../panels/model.ts'
+import type { ExportState } from '../session/exporting.ts'
+import { Icon } from '../ui/icon.tsx'
+import { Popover } from '../ui/popover.tsx'
 
 const CODE = `import { extendLoader } from 'furrow/three'
 
 extendLoader(loader)
 const { scene } = await loader.loadAsync('FILE')`
 
-/** Section that exports the avatar with its wrinkles. Shows the size of the wrinkles and code that loads the file. */
-export function Export({ model }: { model: PanelModel }) {
+/** Button that exports the avatar and saves the file. Its card shows the progress, the size of the wrinkles, and code that loads the file. */
+export function ExportCard({ model }: { model: PanelModel }) {
   const { exporting, actions } = model
   const isCompressed = useSignal(false)
   const state = exporting.value
   return (
-    <Section title="Export" open={false}>
-      <div class="add">
-        <button type="button" onClick={() => actions.exportFace({ ktx2: isCompressed.value })}>
-          Make the file
-        </button>
+    <div class="export">
+      <button type="button" class="main" onClick={() => actions.exportFace({ ktx2: isCompressed.value })}>
+        {FILE.export}
+      </button>
+      <Popover label={FILE.exported} class="main" placement="bottom-end" button={<Icon name="down" />}>
         <label class="check" title="Maps stay compressed on the GPU">
           <input
             type="checkbox"
@@ -30,13 +31,15 @@ export function Export({ model }: { model: PanelModel }) {
               isCompressed.value = currentTarget.checked
             }}
           />
-          KTX 2
+          {FILE.ktx2}
         </label>
-      </div>
-      <SaveProject model={model} />
+        {!state && (
+          <p class="hint">Export saves the avatar with its wrinkles, and this card then shows its size.</p>
+        )}
+        {state?.kind === 'done' && <Done state={state} onCopy={actions.copyCode} />}
+      </Popover>
       {state?.kind === 'running' && <Running fraction={state.fraction} onCancel={actions.cancelExport} />}
-      {state?.kind === 'done' && <Done state={state} onSave={actions.saveExport} onCopy={actions.copyCode} />}
-    </Section>
+    </div>
   )
 }
 
@@ -55,11 +58,10 @@ function Running({ fraction, onCancel }: { fraction: number; onCancel(): void })
 
 interface DoneProps {
   state: ExportState & { kind: 'done' }
-  onSave(): void
   onCopy(text: string): void
 }
 
-function Done({ state, onSave, onCopy }: DoneProps) {
+function Done({ state, onCopy }: DoneProps) {
   const { bytes, findings, cost, warnings } = state.face
   const errors = findings.filter(({ severity }) => severity === 'error')
   const own = errors.filter(({ pointer }) => pointer?.includes(WRINKLE_MAPS))
@@ -72,7 +74,7 @@ function Done({ state, onSave, onCopy }: DoneProps) {
   return (
     <>
       <p class="hint" role="status">
-        {megabytes(bytes.length)} in all; the wrinkles take {megabytes(cost.file)} of it and{' '}
+        {state.name}: {megabytes(bytes.length)} in all; the wrinkles take {megabytes(cost.file)} of it and{' '}
         {megabytes(cost.gpu)} on the GPU.{' '}
         {own.length === 0 ? 'The wrinkles have no errors.' : `The wrinkles have ${own.length} errors.`}
       </p>
@@ -83,9 +85,6 @@ function Done({ state, onSave, onCopy }: DoneProps) {
           ))}
         </ul>
       )}
-      <button type="button" class="main" onClick={onSave}>
-        Save {state.name}
-      </button>
       <Code text={CODE.replace('FILE', state.name)} onCopy={onCopy} />
     </>
   )
@@ -95,16 +94,9 @@ function Done({ state, onSave, onCopy }: DoneProps) {
 function Code({ text, onCopy }: { text: string; onCopy(text: string): void }) {
   return (
     <>
-      <textarea
-        class="code"
-        readOnly
-        rows={8}
-        spellcheck={false}
-        aria-label="Code that loads the file"
-        value={text}
-      />
+      <textarea class="code" readOnly rows={8} spellcheck={false} aria-label={FILE.code} value={text} />
       <button type="button" onClick={() => onCopy(text)}>
-        Copy the code
+        {FILE.copyCode}
       </button>
     </>
   )

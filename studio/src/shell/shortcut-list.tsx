@@ -1,9 +1,12 @@
-import { type Signal, useSignalEffect } from '@preact/signals'
-import { useRef } from 'preact/hooks'
+import type { Signal } from '@preact/signals'
+import { FILE } from '../labels.ts'
 import { type Scope, SHORTCUTS } from '../shortcuts.ts'
+import { Dialog } from '../ui/dialog.tsx'
 
 const SCOPES: Record<Scope, string> = {
   everywhere: 'Everywhere',
+  stage: 'Stage',
+  tools: 'Tools',
   face: 'On the face',
   painting: 'While painting',
   polygon: 'While a polygon is drawn',
@@ -27,23 +30,9 @@ const SIGNS: Record<string, string> = {
 }
 
 export function ShortcutList({ isOpen }: { isOpen: Signal<boolean> }) {
-  const dialog = useRef<HTMLDialogElement>(null)
-  useSignalEffect(() => {
-    if (isOpen.value) dialog.current?.showModal()
-    else dialog.current?.close()
-  })
-  const close = () => {
-    isOpen.value = false
-  }
   return (
-    <dialog ref={dialog} class="shortcuts" aria-labelledby="shortcuts-title" onClose={close}>
-      <div>
-        <header>
-          <h2 id="shortcuts-title">Shortcuts</h2>
-          <button type="button" onClick={close}>
-            Close
-          </button>
-        </header>
+    <Dialog title={FILE.shortcuts} isOpen={isOpen}>
+      <div class="shortcuts">
         {(Object.keys(SCOPES) as Scope[]).map((scope) => (
           <section key={scope}>
             <h3>{SCOPES[scope]}</h3>
@@ -60,7 +49,7 @@ export function ShortcutList({ isOpen }: { isOpen: Signal<boolean> }) {
           </section>
         ))}
       </div>
-    </dialog>
+    </Dialog>
   )
 }
 

@@ -1,0 +1,19 @@
+import type { Uv } from 'furrow/author'
+import type { StudioArea } from './document.ts'
+
+/** Minimum weight of an area at a point of the skin that counts as being on the area, 0..255. */
+const LEAST = 40
+/** Names of areas of blood. They cover several regions, so the pointer prefers others. */
+const BLOOD = /^(flush|pale)/
+
+/** Returns the name of the area with the greatest weight at a point of the skin, or null if no area covers the point. */
+export function areaAt(areas: readonly StudioArea[], [u, v]: Uv): string | null {
+  let best: { name: string; weight: number } | null = null
+  for (const { name, weights } of areas) {
+    const { width, height, data } = weights
+    const texel = (at: number, side: number) => Math.min(side - 1, Math.max(0, Math.floor(at * side)))
+    const weight = data[texel(v, height) * width + texel(u, width)] * (BLOOD.test(name) ? 0.2 : 1)
+    if (weight >= LEAST && weight > (best?.weight ?? 0)) best = { name, weight }
+  }
+  return best?.name ?? null
+}

@@ -1,0 +1,56 @@
+import type { WrinkleDriver } from 'furrow'
+import type { LayerStroke, StudioDocument } from './document.ts'
+import { areaOf } from './drivers.ts'
+import { splitSide } from './sides.ts'
+import { edited } from './strokes.ts'
+
+/** Driver with a curve whose outputs are activations. */
+type CurvedDriver = WrinkleDriver & { curve: [number, number][] }
+
+/** Whether a stroke belongs to an area. The group of a stroke that crosses the middle of the face has no side. */
+function isIn({ group }: LayerStroke, area: string): boolean {
+  return group === area || (group !== undefined && group === splitSide(area)[0])
+}
+
+/** Returns the strokes of an area. */
+export function strokesIn({ strokes }: StudioDocument, area: string): LayerStroke[] {
+  return strokes.filter((stroke) => isIn(stroke, area))
+}
+
+/** Returns the largest depth of an area's strokes in millimetres, or 0 if it has none. */
+export function depthOf(document: StudioDocument, area: string): number {
+  return Math.max(0, ...strokesIn(document, area).map(({ depth }) => Math.abs(depth)))
+}
+
+/** Scales the depths of an area's strokes, so that the largest is `depth`, millimetres. */
+export function setDepth(document: StudioDocument, area: string, depth: number): StudioDocument {
+  const old = depthOf(document, area)
+  if (old === 0) return document
+  const scale = (stroke: LayerStroke): LayerStroke =>
+    isIn(stroke, area) ? edited({ ...stroke, depth: (stroke.depth * depth) / old }) : stroke
+  return { ...document, strokes: document.strokes.map(scale) }
+}
+
+/** Returns the largest activation that the drivers of an area give, 0..1. Undefined if no driver has a curve. */
+export function strengthOf({ drivers }: StudioDocument, area: string): number | undefined {
+  const outputs = drivers.flatMap((driver) =>
+    isCurvedOf(driver, area) ? driver.curve.map(([, output]) => output) : [],
+  )
+  return outputs.length > 0 ? Math.max(...outputs) : undefined
+}
+
+/** Scales the curves of an area's drivers, so that their largest output is `strength`, 0..1. */
+export function setStrength(document: StudioDocument, area: string, strength: number): StudioDocument {
+  const old = strengthOf(document, area)
+  if (!old) return document
+  const scale = (driver: WrinkleDriver): WrinkleDriver => {
+    if (!isCurvedOf(driver, area)) return driver
+    const curve = driver.curve.map(([input, output]): [number, number] => [input, (output * strength) / old])
+    return { ...driver, curve } as WrinkleDriver
+  }
+  return { ...document, drivers: document.drivers.map(scale) }
+}
+
+function isCurvedOf(driver: WrinkleDriver, area: string): driver is CurvedDriver {
+  return areaOf(driver) === area && Array.isArray((driver as Partial<CurvedDriver>).curve)
+}

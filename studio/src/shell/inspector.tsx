@@ -1,0 +1,141 @@
+import { signal } from '@preact/signals'
+import type { StudioArea } from '../document/document.ts'
+import { splitSide } from '../document/sides.ts'
+import { FILE, PLACES, regionLabel } from '../labels.ts'
+import { Animation } from '../panels/animation.tsx'
+import { ChosenArea } from '../panels/areas/chosen-area.tsx'
+import { AutomaticWrinkles } from '../panels/automatic.tsx'
+import { Section } from '../panels/controls/section.tsx'
+import { Drivers } from '../panels/drivers/drivers.tsx'
+import { Layers } from '../panels/layers.tsx'
+import { Lines } from '../panels/lines.tsx'
+import type { PanelModel } from '../panels/model.ts'
+import { BrushSettings } from '../panels/painting/painting.tsx'
+import { Shapes } from '../panels/shapes/shapes.tsx'
+import { Tabs } from '../ui/tabs.tsx'
+import { SelectionCard } from './cards.tsx'
+import { type Selected, selectedIn } from './selected.ts'
+import { isSmallPage } from './small-page.ts'
+
+type Tab = 'look' | 'when' | 'maps'
+
+const TABS = (['look', 'when', 'maps'] as const).map((value) => ({ value, label: PLACES[value] }))
+
+const tab = signal<Tab>('look')
+
+/** Panel at the right with the settings of the selection: the whole face, a region, or a line. */
+export function Inspector({ model }: { model: PanelModel }) {
+  const { tools, player, session, revision } = model
+  revision.value
+  if (tools.mode.value === 'motion') return <Animation player={player} onOpen={model.actions.openFiles} />
+  const selected = selectedIn(model)
+  if (!session.document.value) return <FromFile model={model} />
+  return (
+    <>
+      {tools.mode.value === 'paint' && <BrushSettings model={model} />}
+      {isSmallPage.value && <SelectionCard model={model} />}
+      <Heading selected={selected} model={model} />
+      <Tabs
+        label={PLACES.inspector}
+        tabs={TABS}
+        value={tab.value}
+        onChange={(value) => {
+          tab.value = value
+        }}
+      >
+        {tab.value === 'look' && <Look selected={selected} model={model} />}
+        {tab.value === 'when' && <When selected={selected} model={model} />}
+        {tab.value === 'maps' && <Layers model={model} shown={selected.layer} />}
+      </Tabs>
+    </>
+  )
+}
+
+interface PartProps {
+  selected: Selected
+  model: PanelModel
+}
+
+/** Name of the selection, and a button that selects the whole face again. */
+function Heading({ selected: { kind, label, fileName }, model: { areas, lines } }: PartProps) {
+  return (
+    <div class="selected">
+      <h2>
+        {label} {fileName && <small>{fileName}</small>}
+      </h2>
+      {(kind === 'region' || kind === 'line') && (
+        <button
+          type="button"
+          class="quiet"
+          onClick={() => {
+            lines.choose(null)
+            areas.choose(null)
+          }}
+        >
+          {PLACES.wholeFace}
+        </button>
+      )}
+    </div>
+  )
+}
+
+function Look({ selected: { kind }, model }: PartProps) {
+  if (kind === 'region') return <ChosenArea model={model} />
+  if (kind === 'line' || kind === 'new line' || model.tools.mode.value === 'lines')
+    return <Lines model={model} />
+  return model.session.document.value?.auto ? <AutomaticWrinkles model={model} /> : <NoWrinkles />
+}
+
+function When({ selected: { kind, area, group }, model }: PartProps) {
+  if (kind === 'region') return <Drivers model={model} area={area!.name} />
+  if (kind === 'line') return <Owners areas={areasOf(group, model)} model={model} />
+  if ((model.viewer.value?.targets.length ?? 0) > 0) return <Shapes model={model} />
+  return <p class="hint">This avatar has no blendshapes. Select a region to let joints or values show it.</p>
+}
+
+/** Regions that show a line. */
+function Owners({ areas, model }: { areas: readonly StudioArea[]; model: PanelModel }) {
+  return (
+    <>
+      <p class="hint">A line shows when its region does.</p>
+      <div class="add">
+        {areas.map(({ name }) => (
+          <button
+            key={name}
+            type="button"
+            onClick={() => {
+              model.lines.choose(null)
+              model.areas.choose(name)
+            }}
+          >
+            {regionLabel(name)}
+          </button>
+        ))}
+      </div>
+    </>
+  )
+}
+
+function areasOf(group: string | undefined, { session }: PanelModel): readonly StudioArea[] {
+  const areas = session.document.value?.areas ?? []
+  const own = areas.filter(({ name }) => name === group)
+  return own.length > 0 ? own : areas.filter(({ name }) => splitSide(name)[0] === group)
+}
+
+function NoWrinkles() {
+  return <p class="hint">These wrinkles came with the file. Select a region or a line to change it.</p>
+}
+
+/** Shown while the wrinkles are those of the avatar's file, which users cannot edit. */
+function FromFile({ model: { viewer, autoRun, actions } }: { model: PanelModel }) {
+  if (autoRun.value) return <p class="hint">The wrinkles are being made.</p>
+  if (!viewer.value?.wrinkles) return <p class="hint">This avatar has no wrinkles.</p>
+  return (
+    <Section title={PLACES.wholeFace}>
+      <p class="hint">These wrinkles came with the file.</p>
+      <button type="button" class="main" onClick={actions.editWrinkles}>
+        {FILE.edit}
+      </button>
+    </Section>
+  )
+}

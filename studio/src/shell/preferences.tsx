@@ -1,0 +1,64 @@
+import type { WrinkleMode } from 'furrow/three'
+import type { RendererKind } from '../../../stage/stage.ts'
+import { type Appearance, chooseAppearance, chosenAppearance } from '../appearance.ts'
+import { FILE, PREFERENCES } from '../labels.ts'
+import { Choice } from '../panels/controls/choice.tsx'
+import type { PanelModel } from '../panels/model.ts'
+import { isStatisticsShown } from '../statistics.ts'
+import { Dialog } from '../ui/dialog.tsx'
+
+const RENDERERS: readonly { value: RendererKind; label: string }[] = [
+  { value: 'webgl', label: 'WebGL' },
+  { value: 'webgpu', label: 'WebGPU' },
+]
+
+const MODES: readonly { value: Exclude<WrinkleMode, 'composed'>; label: string; title?: string }[] = [
+  { value: 'default', label: 'Default', title: 'Mixes normals, computes the lighting once' },
+  { value: 'paper', label: 'Paper', title: 'Lights twice, mixes colours' },
+  { value: 'off', label: 'Off' },
+]
+
+const APPEARANCES: readonly { value: Appearance; label: string; title?: string }[] = [
+  { value: 'system', label: 'System', title: 'Follows the system' },
+  { value: 'light', label: 'Light' },
+  { value: 'dark', label: 'Dark' },
+]
+
+/** Dialog with settings that users change rarely. */
+export function Preferences({ model: { viewer, revision, dialogs, actions } }: { model: PanelModel }) {
+  revision.value
+  return (
+    <Dialog title={FILE.preferences} isOpen={dialogs.preferences}>
+      <div class="settings">
+        <Choice
+          label={PREFERENCES.page}
+          options={APPEARANCES}
+          value={chosenAppearance()}
+          onChange={chooseAppearance}
+        />
+        <Choice
+          label={PREFERENCES.renderer}
+          options={RENDERERS}
+          value={viewer.value?.kind ?? 'webgl'}
+          onChange={actions.setRenderer}
+        />
+        <Choice
+          label={PREFERENCES.wrinkles}
+          options={MODES}
+          value={(viewer.value?.mode ?? 'default') as (typeof MODES)[number]['value']}
+          onChange={actions.setMode}
+        />
+        <label class="check">
+          <input
+            type="checkbox"
+            checked={isStatisticsShown.value}
+            onChange={({ currentTarget }) => {
+              isStatisticsShown.value = currentTarget.checked
+            }}
+          />
+          {PREFERENCES.statistics}
+        </label>
+      </div>
+    </Dialog>
+  )
+}

@@ -1,0 +1,53 @@
+import { displayName } from '../display-name.ts'
+import { FILE } from '../labels.ts'
+import { Recent } from '../panels/keeping/recent.tsx'
+import { SaveProject } from '../panels/keeping/save-project.tsx'
+import type { PanelModel } from '../panels/model.ts'
+import { Icon } from '../ui/icon.tsx'
+import { Popover } from '../ui/popover.tsx'
+import { OpenButtons } from './open-buttons.tsx'
+
+/** Name of the project, with a card that opens and saves projects. */
+export function ProjectCard({ model }: { model: PanelModel }) {
+  const { viewer, session } = model
+  const name = displayName(viewer.value?.avatar.name ?? '')
+  return (
+    <Popover
+      label={`${FILE.project} ${name}`}
+      class="project"
+      button={
+        <>
+          <b>{name}</b>
+          <Icon name="down" />
+        </>
+      }
+    >
+      <OpenButtons model={model} />
+      <FaceChoice model={model} />
+      <Recent model={model} />
+      {session.document.value && <SaveProject model={model} />}
+    </Popover>
+  )
+}
+
+/** Select for shipped faces and the current avatar. */
+function FaceChoice({ model: { faces, viewer, actions } }: { model: PanelModel }) {
+  const shown = viewer.value?.avatar.name
+  const names = shown === undefined || faces.value.includes(shown) ? faces.value : [...faces.value, shown]
+  return (
+    <div class="setting">
+      <label for="face">{FILE.face}</label>
+      <select
+        id="face"
+        value={shown ?? ''}
+        onChange={({ currentTarget }) => actions.openFace(currentTarget.value)}
+      >
+        {names.map((name) => (
+          <option key={name} value={name}>
+            {displayName(name)}
+          </option>
+        ))}
+      </select>
+    </div>
+  )
+}

@@ -1,0 +1,33 @@
+import type { StudioArea } from '../document/document.ts'
+import { PLACES, regionLabel } from '../labels.ts'
+import type { PanelModel } from '../panels/model.ts'
+
+/** Selection that the inspector shows. */
+export interface Selected {
+  readonly kind: 'face' | 'region' | 'line' | 'new line'
+  readonly label: string
+  /** Name in the file, beside the label. */
+  readonly fileName?: string
+  readonly area?: StudioArea
+  /** Group of the line. */
+  readonly group?: string
+  /** Layer of the region or the line. */
+  readonly layer?: string
+}
+
+/** Returns the selection. A line has precedence over a region. */
+export function selectedIn({ lines, areas, tools }: PanelModel): Selected {
+  const line = lines.chosen.value
+  if (line) {
+    const { group, layer } = line
+    const label = group === undefined ? 'Line' : `Line of ${regionLabel(group)}`
+    return { kind: 'line', label, layer, ...(group !== undefined && { group, fileName: group }) }
+  }
+  if (tools.tool.value === 'draw') return { kind: 'new line', label: PLACES.newLine }
+  const area = areas.chosen.value
+  if (area && tools.mode.value !== 'lines') {
+    const { name, layer } = area
+    return { kind: 'region', label: regionLabel(name), fileName: name, area, layer }
+  }
+  return { kind: 'face', label: tools.mode.value === 'lines' ? 'Lines' : PLACES.wholeFace }
+}

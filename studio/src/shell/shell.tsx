@@ -1,0 +1,40 @@
+import { type ComponentType, render } from 'preact'
+import { createPortal } from 'preact/compat'
+import { AutoProgress } from '../panels/auto-progress.tsx'
+import type { PanelModel } from '../panels/model.ts'
+import { BottomBar } from './bottom-bar.tsx'
+import { Cards } from './cards.tsx'
+import { Corner } from './corner.tsx'
+import { Drawer } from './drawer.tsx'
+import { Inspector } from './inspector.tsx'
+import { SheetTabs } from './sheet-tabs.tsx'
+import { Toolbar } from './toolbar.tsx'
+import { TopBar } from './top-bar.tsx'
+
+/** Parts of the page around the stage. The keys are the ids of their elements in `index.html`. */
+const PARTS = {
+  top: TopBar,
+  tools: Toolbar,
+  drawer: Drawer,
+  inspector: Inspector,
+  poses: BottomBar,
+  cards: Cards,
+  corner: Corner,
+  run: AutoProgress,
+  'sheet-tabs': SheetTabs,
+} as const satisfies Record<string, ComponentType<{ model: PanelModel }>>
+
+/** Renders all parts in one tree, because `useId` gives unique ids only within a tree. */
+export function showShell(model: PanelModel): void {
+  render(<Shell model={model} />, document.createElement('div'))
+}
+
+function Shell({ model }: { model: PanelModel }) {
+  return (
+    <>
+      {Object.entries(PARTS).map(([id, Part]) =>
+        createPortal(<Part key={id} model={model} />, document.getElementById(id)!),
+      )}
+    </>
+  )
+}

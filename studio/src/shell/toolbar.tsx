@@ -1,0 +1,35 @@
+import { TOOLS } from '../labels.ts'
+import type { PanelModel } from '../panels/model.ts'
+import { SHORTCUTS } from '../shortcuts.ts'
+import { TOOL_NAMES } from '../tools/tool-choice.ts'
+import { ToolButton } from '../ui/tool-button.tsx'
+
+/** Buttons for the tools of the pointer, and the toggle that mirrors changes. */
+export function Toolbar({ model: { tools, session } }: { model: PanelModel }) {
+  const hasDocument = session.document.value !== null
+  return (
+    <div role="toolbar" aria-label="Tools" aria-orientation="vertical">
+      {TOOL_NAMES.map((tool) => (
+        <ToolButton
+          key={tool}
+          label={TOOLS[tool]}
+          icon={tool}
+          shortcut={SHORTCUTS.tools[tool].keys[0].toUpperCase()}
+          isPressed={tools.tool.value === tool}
+          isDisabled={!hasDocument && tool !== 'select'}
+          onPress={() => tools.choose(tool)}
+        />
+      ))}
+      <ToolButton
+        label={TOOLS.mirror}
+        icon="mirror"
+        shortcut={SHORTCUTS.tools.mirror.keys[0].toUpperCase()}
+        isPressed={tools.mirror.value}
+        isDisabled={!hasDocument}
+        onPress={() => {
+          tools.mirror.value = !tools.mirror.peek()
+        }}
+      />
+    </div>
+  )
+}

@@ -1,0 +1,104 @@
+import { FILE, MODES } from '../labels.ts'
+import { KeepStatus } from '../panels/keeping/keep-status.tsx'
+import type { PanelModel } from '../panels/model.ts'
+import { MODE_NAMES, type Mode } from '../tools/tool-choice.ts'
+import { Icon, type IconName } from '../ui/icon.tsx'
+import { Popover } from '../ui/popover.tsx'
+import { ExportCard } from './export-card.tsx'
+import { Preferences } from './preferences.tsx'
+import { ProjectCard } from './project-card.tsx'
+import { ShortcutList } from './shortcut-list.tsx'
+
+const MODE_OPTIONS = MODE_NAMES.map((value) => ({ value, label: MODES[value] }))
+
+/** Bar at the top: the project, undo, the modes, sharing and export. */
+export function TopBar({ model }: { model: PanelModel }) {
+  const { session, tools, dialogs, actions } = model
+  const { undoLabel, redoLabel } = session
+  return (
+    <>
+      <div class="bar">
+        <h1 class="hidden">Furrow studio</h1>
+        <ProjectCard model={model} />
+        <KeepStatus model={model} />
+        <History label={FILE.undo} icon="undo" step={undoLabel.value} onPress={() => session.undo()} />
+        <History label={FILE.redo} icon="redo" step={redoLabel.value} onPress={() => session.redo()} />
+        <Modes mode={tools.mode.value} onChange={(mode) => tools.chooseMode(mode)} />
+        <Popover label={FILE.share} placement="bottom-end" button={FILE.share}>
+          <button
+            type="button"
+            title="Copy a link to this expression, view and avatar"
+            onClick={actions.copyLink}
+          >
+            {FILE.copyLink}
+          </button>
+          <button type="button" onClick={actions.savePicture}>
+            {FILE.screenshot}
+          </button>
+        </Popover>
+        {session.document.value && <ExportCard model={model} />}
+        <button
+          type="button"
+          class="plain keys"
+          aria-label={FILE.shortcuts}
+          title={`${FILE.shortcuts} (?)`}
+          onClick={() => {
+            dialogs.shortcuts.value = true
+          }}
+        >
+          ?
+        </button>
+        <button
+          type="button"
+          class="plain"
+          aria-label={FILE.preferences}
+          title={FILE.preferences}
+          onClick={() => {
+            dialogs.preferences.value = true
+          }}
+        >
+          <Icon name="gear" />
+        </button>
+      </div>
+      <ShortcutList isOpen={dialogs.shortcuts} />
+      <Preferences model={model} />
+    </>
+  )
+}
+
+interface HistoryProps {
+  label: string
+  icon: IconName
+  /** Step that the button reverts or repeats. Undefined disables the button. */
+  step: string | undefined
+  onPress(): void
+}
+
+/** A button with `aria-disabled` keeps the focus, so that users can undo everything by pressing a key repeatedly. */
+function History({ label, icon, step, onPress }: HistoryProps) {
+  return (
+    <button
+      type="button"
+      class="plain"
+      aria-label={label}
+      aria-disabled={!step}
+      title={step ? `${label}: ${step}` : label}
+      onClick={onPress}
+    >
+      <Icon name={icon} />
+    </button>
+  )
+}
+
+function Modes({ mode, onChange }: { mode: Mode; onChange(mode: Mode): void }) {
+  return (
+    <fieldset class="segments modes" aria-label="Mode">
+      {MODE_OPTIONS.map(({ value, label }) => (
+        <label key={value}>
+          <input type="radio" name="mode" checked={value === mode} onChange={() => onChange(value)} />
+          <span>{label}</span>
+        </label>
+      ))}
+    </fieldset>
+  )
+}
