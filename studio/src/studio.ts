@@ -331,7 +331,7 @@ export class Studio {
 
   #advance(delta: number): void {
     this.#face.advance(delta)
-    this.#reveal.advance(delta)
+    this.#reveal.advance()
     this.#painting.advance()
     this.#host.orbit?.advance(delta)
     this.#views.show(this.#host.orbit?.view ?? null)

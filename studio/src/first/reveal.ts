@@ -2,13 +2,16 @@ import { reducedMotion } from '../motion.ts'
 import type { OpenedAvatar } from '../open/avatar.ts'
 import type { ShownFace } from '../viewer/shown-face.ts'
 import type { Viewer } from '../viewer/viewer.ts'
-import { revealPlan } from './reveal-plan.ts'
+import { type RevealPlan, revealPlan } from './reveal-plan.ts'
 import { hasSeen, remember } from './seen.ts'
 
 /** Duration, seconds. */
 const DURATION = 5
 /** Duration after which the divider has crossed the face and returns to its middle, seconds. */
 const SWEEP = 4
+
+/** Maximum step, seconds. */
+const MAX_STEP = 0.25
 
 /** Inputs that end the performance. */
 const INPUTS = ['pointerdown', 'keydown', 'wheel'] as const
@@ -26,7 +29,7 @@ export class Reveal {
   readonly #parts: RevealParts
   /** Avatar that was dropped and has not performed yet. */
   #awaited: OpenedAvatar['root'] | null = null
-  #running: { plan: readonly string[]; strongest: string; elapsed: number; step: number } | null = null
+  #running: (RevealPlan & { elapsed: number; last: number; step: number }) | null = null
 
   constructor(parts: RevealParts) {
     this.#parts = parts
@@ -50,24 +53,26 @@ export class Reveal {
     this.#awaited = null
     const plan = revealPlan(viewer)
     if (!plan || reducedMotion.matches) this.#parts.onEnd()
-    else this.#running = { ...plan, elapsed: 0, step: -1 }
+    else this.#running = { ...plan, elapsed: 0, last: performance.now(), step: -1 }
   }
 
-  /** @param delta seconds since the last frame. */
-  advance(delta: number): void {
+  /** Moves on by the time since the last frame, up to `MAX_STEP`: the first frames of an avatar can take seconds. */
+  advance(): void {
     const running = this.#running
     if (!running) return
-    const { plan, strongest } = running
-    running.elapsed += delta
-    if (running.elapsed >= DURATION) {
+    const now = performance.now()
+    running.elapsed += Math.min((now - running.last) / 1000, MAX_STEP)
+    running.last = now
+    const { plan, strongest, elapsed } = running
+    if (elapsed >= DURATION) {
       this.#end()
       this.#parts.face.play(strongest)
       return
     }
-    const step = Math.floor((running.elapsed / DURATION) * plan.length)
+    const step = Math.floor((elapsed / DURATION) * plan.length)
     if (step !== running.step) this.#parts.face.play(plan[step])
     running.step = step
-    this.#parts.moveDivider(dividerAt(running.elapsed))
+    this.#parts.moveDivider(dividerAt(elapsed))
   }
 
   stop(): void {
