@@ -1,5 +1,6 @@
 // `npm run figures`: renders the figures of the README and the docs into docs/figures/. `-- ktx2` renders one figure.
 // `-- examples` renders the pictures of all examples, and `-- examples/age` the picture of one.
+// Portraits go to faces/, which the studio shows.
 // FURROW_BEFORE=../checkout adds the automatic wrinkles of an earlier version to the close-ups. That checkout must be
 // built.
 
@@ -35,7 +36,8 @@ await main(async () => {
       scale,
       beginsRow,
     }))
-    const file = `docs/figures/${name}.${FORMATS[name] ?? 'png'}`
+    const folder = name.startsWith('portraits/') ? 'faces' : 'docs/figures'
+    const file = `${folder}/${name}.${FORMATS[name] ?? 'png'}`
     if (name === MOVING) await writeMoving(shown, movingFrames(), join(ROOT, file))
     else await writeSheet(shown, join(ROOT, file))
     say(file)

@@ -18,7 +18,7 @@ export class StudioPage {
     const page = await context.newPage()
     page.setDefaultTimeout(TIMEOUT)
     await page.addInitScript({ path: PROBE })
-    await page.goto(`${origin}/index.html`)
+    await page.goto(`${origin}/index.html?face=human`)
     await page.locator('#stage[aria-busy=false]').waitFor()
     await page.waitForFunction(() => window.probe.frames.length > 0)
     return new StudioPage(page)

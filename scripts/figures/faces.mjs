@@ -1,4 +1,5 @@
 import { execFile } from 'node:child_process'
+import { copyFile } from 'node:fs/promises'
 import { join, resolve } from 'node:path'
 import { promisify } from 'node:util'
 import { ROOT } from '../lib/run.mjs'
@@ -23,6 +24,7 @@ let wrinkled
 
 /** For each face, a function that writes the face to a file. */
 export const FACES = {
+  'human-2': (file) => copyFile(join(ROOT, SOURCES['human-2']), file),
   images: (file) => pack(file),
   arrays: (file) => pack(file, '--ktx2'),
   lossless: (file) => compress(file, true),

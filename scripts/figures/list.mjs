@@ -9,6 +9,13 @@ import { FURROWS } from './furrows.mjs'
 import { MOVING, movingPictures } from './moving.mjs'
 
 const PORTRAIT = { width: 900, height: 1050, crop: { left: 180, top: 50, width: 540, height: 720 } }
+const STUDIO_PORTRAIT = {
+  width: 480,
+  height: 560,
+  expression: 'surprised',
+  crop: { left: 72, top: 40, width: 336, height: 336 },
+  scale: 2 / 3,
+}
 const EYE = {
   width: 1600,
   height: 1200,
@@ -170,6 +177,9 @@ export const FIGURES = {
     height: 540,
     crop: { left: 157, top: 8, width: 315, height: 374 },
   }),
+  // Buttons of the studio's first page.
+  'portraits/human': [STUDIO_PORTRAIT],
+  'portraits/human-2': [{ ...STUDIO_PORTRAIT, face: 'human-2' }],
   blood: bloodOfSkins(),
   transform: [FOREHEAD, { ...FOREHEAD, face: 'lossless' }, { ...FOREHEAD, face: 'lossy' }],
   ...CLOSE_UPS,
@@ -186,6 +196,8 @@ export const FORMATS = {
       'clothes',
       'auto-human',
       'auto-scan',
+      'portraits/human',
+      'portraits/human-2',
       'blood',
       'inspector',
       'skin/furrows',

@@ -64,6 +64,20 @@ export const FILE = {
   close: 'Close',
 } as const
 
+/** Card on the empty stage. */
+export const START = {
+  drop: 'Drop your avatar',
+  kinds: 'A .glb, .gltf or .vrm, alone or with its folder. It stays on this computer.',
+  faces: 'Or begin with a face',
+} as const
+
+/** Hints after the first avatar has opened. */
+export const HINTS = {
+  click: 'Click a wrinkle to select it.',
+  drag: 'Drag across the line to deepen it, or move a slider of the card.',
+  keys: 'Press 1 to 9 to see other expressions.',
+} as const
+
 export const PREFERENCES = {
   renderer: 'Renderer',
   wrinkles: 'Wrinkles',

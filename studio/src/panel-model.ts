@@ -1,6 +1,7 @@
 import type { ReadonlySignal } from '@preact/signals'
 import type { Downloads } from './downloads.ts'
 import { filesOfInput } from './files/dropped-files.ts'
+import type { Hints } from './first/hints.ts'
 import type { Lines } from './lines/lines.ts'
 import type { PageLink } from './link/page-link.ts'
 import type { Messages } from './messages.ts'
@@ -36,11 +37,12 @@ export interface PanelParts {
   messages: Messages
   faces: ReadonlySignal<readonly string[]>
   dialogs: Dialogs
+  hints: Hints
 }
 
 export function panelModel(parts: PanelParts): PanelModel {
   const { workspace, saving, face, lines, areas, faceAreas, layers, shapes, painting, tools } = parts
-  const { opening, host, downloads, link, messages, faces, dialogs } = parts
+  const { opening, host, downloads, link, messages, faces, dialogs, hints } = parts
   const { session, automatic, exporting, keeping, settings } = workspace
   const { viewer, frame, revision, expression, hovered, staging, player, meshes, pictures } = face
   return {
@@ -58,6 +60,7 @@ export function panelModel(parts: PanelParts): PanelModel {
     saving: keeping.state,
     folder: saving.folder,
     dialogs,
+    hints,
     faces,
     viewer,
     frame,

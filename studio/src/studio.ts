@@ -1,4 +1,4 @@
-import { batch, effect, signal } from '@preact/signals'
+import { batch, computed, effect, signal } from '@preact/signals'
 import type { GrayImage } from 'furrow'
 import { VIEWS, type ViewName } from '../../stage/views.ts'
 import { Buttons } from './buttons.ts'
@@ -6,6 +6,9 @@ import { Divider } from './divider.ts'
 import { Downloads } from './downloads.ts'
 import { acceptFiles } from './drop.ts'
 import { filesOfTransfer } from './files/dropped-files.ts'
+import { Hints } from './first/hints.ts'
+import { type Place, Resume } from './first/resume.ts'
+import { Reveal } from './first/reveal.ts'
 import { keepFocus } from './keep-focus.ts'
 import { nextTask } from './later.ts'
 import { Lines } from './lines/lines.ts'
@@ -38,7 +41,7 @@ import { listFaces } from './viewer/faces.ts'
 import { lookLabel } from './viewer/looks/look.ts'
 import { ShownFace } from './viewer/shown-face.ts'
 import type { Viewer } from './viewer/viewer.ts'
-import { ViewerHost } from './viewer/viewer-host.ts'
+import { type LoadAvatar, ViewerHost } from './viewer/viewer-host.ts'
 
 /** Application: creates all parts of the studio and connects them. */
 export class Studio {
@@ -55,6 +58,8 @@ export class Studio {
 
   readonly #workspace: Workspace
   readonly #link: PageLink
+  readonly #resume: Resume
+  readonly #reveal: Reveal
   readonly #painting: Painting
   readonly #view = new DocumentView()
   readonly #lines: Lines
@@ -129,6 +134,7 @@ export class Studio {
       messages,
       loading,
       addAreas: (images) => faceAreas.add(images, 'paper'),
+      onDropped: (avatar) => this.#reveal.await(avatar),
     })
     const tools = new ToolHost(page.viewport, () => this.#viewer?.stage.camera ?? null)
     this.#painting = new Painting({
@@ -158,6 +164,18 @@ export class Studio {
       isMoving: () => this.#isMoving,
       onSkin: (hit) => pointer.point(hit),
       attempt,
+    })
+    this.#resume = new Resume({ host: this.#host, workspace: this.#workspace, link: this.#link })
+    const { chosen } = this.#lines.editor
+    const hints = new Hints({
+      isSelected: computed(() => areas.chosen.value !== null || chosen.value !== null),
+      undoLabel: session.undoLabel,
+      expression: this.#face.expression,
+    })
+    this.#reveal = new Reveal({
+      face: this.#face,
+      moveDivider: (position) => this.#divider.move(position),
+      onEnd: () => hints.start(),
     })
     new TextureToggle(page.textureToggle, {
       element: page.texture,
@@ -189,6 +207,7 @@ export class Studio {
         messages,
         faces: this.#faces,
         dialogs,
+        hints,
       }),
     )
     keepFocus(document.body)
@@ -244,22 +263,38 @@ export class Studio {
   }
 
   /**
-   * Opens the model of the link in the URL's hash. If there is none or if it cannot be opened, opens the shipped face that the query names
-   * (`?face=human-2`), or the first shipped face. `?renderer=webgpu` chooses the renderer.
+   * After a reload, continues where the user was. Otherwise opens the model of the link in the URL's hash, or the shipped face that the query
+   * names (`?face=human-2`). Without these, the empty stage offers files and faces. `?renderer=webgpu` chooses the renderer.
    */
   async start(): Promise<void> {
     this.#loading.show('Listing faces')
+    const query = new URLSearchParams(location.search)
+    if (query.get('renderer') === 'webgpu') this.#opening.firstKind = 'webgpu'
+    const place = this.#resume.read()
     await this.#messages.attempt(async () => {
       this.#faces.value = await listFaces()
-      const query = new URLSearchParams(location.search)
-      const name = this.#faces.value.find((known) => known === query.get('face')) ?? this.#faces.value[0]
-      const kind = query.get('renderer') === 'webgpu' ? 'webgpu' : 'webgl'
       await this.#link.read()
-      await this.#host.open(kind, this.#link.load ?? this.#opening.faceLoader(name))
-      if (!this.#viewer && this.#link.load) await this.#host.open(kind, this.#opening.faceLoader(name))
+      const [first] = this.#faces.value
+      const face = query.get('face') ?? (this.#link.isGiven ? first : null)
+      const load = (place && this.#loaderOf(place)) ?? this.#link.load ?? this.#faceLoader(face)
+      if (load) await this.#opening.open(load)
     })
-    if (!this.#viewer) this.#loading.done()
+    this.#loading.done()
+    if (!this.#viewer) return
+    if (place) this.#link.restore(place.scene)
     else if (!this.#link.show()) this.#face.play('surprised')
+  }
+
+  /** Returns a function that loads the project or the face of a place, or null if the place has neither. */
+  #loaderOf({ project, face }: Place): LoadAvatar | null {
+    if (project !== undefined) return () => this.#workspace.openProject(project)
+    return this.#faceLoader(face)
+  }
+
+  /** Returns a function that loads a shipped face, or null if there is none with this name. */
+  #faceLoader(name: string | null | undefined): LoadAvatar | null {
+    const known = this.#faces.value.find((each) => each === name)
+    return known === undefined ? null : this.#opening.faceLoader(known)
   }
 
   get #viewer(): Viewer | null {
@@ -273,6 +308,7 @@ export class Studio {
       this.#face.show(viewer)
     })
     this.#face.refresh()
+    this.#reveal.begin(viewer)
     this.#meter.reset()
   }
 
@@ -288,19 +324,21 @@ export class Studio {
         if (isOther) await nextTask()
         if (isOther && viewer === this.#viewer) this.#host.orbit?.frame()
         this.#face.refresh()
+        if (viewer === this.#viewer) this.#reveal.begin(viewer)
         this.#loop.wake()
       })
   }
 
   #advance(delta: number): void {
     this.#face.advance(delta)
+    this.#reveal.advance()
     this.#painting.advance()
     this.#host.orbit?.advance(delta)
     this.#views.show(this.#host.orbit?.view ?? null)
   }
 
   get #isMoving(): boolean {
-    return this.#face.isMoving || (this.#host.orbit?.isMoving ?? false)
+    return this.#face.isMoving || this.#reveal.isMoving || (this.#host.orbit?.isMoving ?? false)
   }
 
   /** Whether the user paints an area or edits lines. The face then keeps its pose. */

@@ -11,7 +11,11 @@ import { writeAvatars } from './avatars.ts'
 import { openBrowser, openPage } from './browser.ts'
 import { waitUntilReady } from './studio-page.ts'
 
-/** Serves the studio from its sources, optionally with more Vite plugins. The caller must close the server. */
+/**
+ * Serves the studio from its sources, optionally with more Vite plugins. The caller must close the server.
+ *
+ * @returns the server, and the address of the studio with a shipped face.
+ */
 export async function serveStudio(
   plugins: Plugin[] = [],
 ): Promise<{ server: ViteDevServer; address: string }> {
@@ -24,7 +28,7 @@ export async function serveStudio(
   })
   await server.listen()
   const { port } = server.httpServer!.address() as { port: number }
-  return { server, address: `http://127.0.0.1:${port}/` }
+  return { server, address: `http://127.0.0.1:${port}/?face=human` }
 }
 
 interface OpenedStudio {

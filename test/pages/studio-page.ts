@@ -150,7 +150,7 @@ export function expectValue(input: Locator, value: number): Promise<void> {
 
 /** Controls and other overlays on the face. */
 const OVERLAYS =
-  '.toolbar, .corner, .making, .messages, .divider, .sides, .lines, .card, .explanation, .readout, .popover-place'
+  '.toolbar, .corner, .making, .messages, .divider, .sides, .lines, .card, .explanation, .readout, .popover-place, .hints'
 
 /** Takes pictures of the stage until two consecutive ones are equal, and returns the last. */
 export async function shootStage(page: Page): Promise<Buffer> {

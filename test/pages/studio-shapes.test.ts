@@ -15,7 +15,6 @@ import {
   expectPicture,
   exportFile,
   meanPngDifference,
-  openRecent,
   shootAside,
   shootStage,
   showTab,
@@ -126,7 +125,6 @@ test('the browser stores two corrections', async () => {
   await page.getByText('Kept in this browser').waitFor()
   await page.reload()
   await waitUntilReady(page)
-  await openRecent(page, /^nameless/)
   await made()
   await unfold()
   await expectCorrections()

@@ -39,6 +39,11 @@ export class PageLink {
     })
   }
 
+  /** Whether the page's URL has a link. */
+  get isGiven(): boolean {
+    return this.#link !== null
+  }
+
   /** Function that loads the model of the link, or null if the link has no model. */
   get load(): LoadAvatar | null {
     const model = this.#link?.model
@@ -59,14 +64,28 @@ export class PageLink {
     return true
   }
 
+  /** Returns the hash of a link that opens the current state, or null if there is no face. */
+  hash(): string | null {
+    const scene = this.#scene
+    if (!scene) return null
+    const link = linkOf(scene, this.#parts.workspace.session.document.peek()?.auto)
+    return `#${formatLink(link, location.href)}`
+  }
+
+  /** Applies the pose, the camera and the light of a hash. */
+  restore(hash: string): void {
+    const scene = this.#scene
+    if (scene) this.#parts.set(() => applyLink(parseLink(hash, location.href), scene))
+  }
+
   /** Copies a link that opens the current state, and sets the page's URL to this link. */
   async copy(): Promise<void> {
-    const { workspace, messages } = this.#parts
-    const scene = this.#scene
-    if (!scene) return
-    const link = linkOf(scene, workspace.session.document.peek()?.auto)
-    history.replaceState(null, '', `#${formatLink(link, location.href)}`)
-    const contents = link.model === undefined ? 'the avatar itself is not in it' : 'it opens this avatar'
+    const { messages, host } = this.#parts
+    const hash = this.hash()
+    if (hash === null) return
+    history.replaceState(null, '', hash)
+    const contents =
+      host.viewer?.avatar.address === undefined ? 'the avatar itself is not in it' : 'it opens this avatar'
     // Users can deny access to the clipboard. Insecure pages have no clipboard.
     const isCopied = await navigator.clipboard?.writeText(location.href).then(
       () => true,

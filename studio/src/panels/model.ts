@@ -4,6 +4,7 @@ import type { WrinkleMode } from 'furrow/three'
 import type { RendererKind } from '../../../stage/stage.ts'
 import type { AutoSettings } from '../document/document.ts'
 import type { ExportOptions } from '../export/export-document.ts'
+import type { Hints } from '../first/hints.ts'
 import type { ProjectEntry } from '../keep/project-store.ts'
 import type { LineEditor } from '../lines/line-editor.ts'
 import type { AreaEditor } from '../session/area-editor.ts'
@@ -65,6 +66,7 @@ export interface PanelModel {
   /** Folder on disk to which the user saved the project, or null. */
   readonly folder: ReadonlySignal<FileSystemDirectoryHandle | null>
   readonly dialogs: Dialogs
+  readonly hints: Hints
   readonly actions: PanelActions
 }
 

@@ -37,7 +37,9 @@ export class Keeper {
     this.#onCreate = onCreate
     if (project) this.#follow(project)
     this.#stopWatching = effect(() => {
-      if (session.undoLabel.value !== undefined && !this.#kept.peek()) this.#save(null)
+      // A dropped file is lost with the page, so it is kept before the first change.
+      const isWorth = session.undoLabel.value !== undefined || avatar.address === undefined
+      if (isWorth && session.document.value && !this.#kept.peek()) this.#save(null)
     })
   }
 

@@ -1,4 +1,5 @@
 import { FurrowError } from 'furrow'
+import type { RendererKind } from '../../../stage/stage.ts'
 import { displayName } from '../display-name.ts'
 import type { DroppedFile } from '../files/dropped-files.ts'
 import type { Loading } from '../loading.ts'
@@ -17,11 +18,16 @@ export interface OpeningParts {
   messages: Messages
   loading: Loading
   addAreas(images: readonly File[]): Promise<void>
+  /** Called before an avatar that the user dropped is shown. */
+  onDropped(avatar: OpenedAvatar): void
 }
 
 /** Opens faces from the server, dropped files and recent projects. */
 export class Opening {
   readonly #parts: OpeningParts
+
+  /** Renderer of the first avatar. Later ones use the current renderer. */
+  firstKind: RendererKind = 'webgl'
 
   constructor(parts: OpeningParts) {
     this.#parts = parts
@@ -30,7 +36,7 @@ export class Opening {
   open(load: LoadAvatar): Promise<unknown> {
     const { host, face } = this.#parts
     face.settle()
-    return host.open(host.viewer?.kind ?? 'webgl', load)
+    return host.open(host.viewer?.kind ?? this.firstKind, load)
   }
 
   /** Returns a function that loads a face from the server. */
@@ -61,7 +67,7 @@ export class Opening {
    * @param list lists the files. Called synchronously, because browsers deny access to dropped files after the event.
    */
   async openFiles(list: () => Promise<DroppedFile[]>): Promise<void> {
-    const { messages, loading, addAreas } = this.#parts
+    const { messages, loading, addAreas, onDropped } = this.#parts
     await messages.attempt(async () => {
       const dropped = await sortFiles(await list())
       if (dropped.kind === 'areas') return addAreas(dropped.images.map(({ file }) => file))
@@ -71,6 +77,7 @@ export class Opening {
         loading.show(`Loading ${name}`)
         const avatar = await openDropped(dropped, shown)
         messages.note(avatar.notes.join('. '))
+        if (dropped.kind === 'avatar' && !avatar.document) onDropped(avatar)
         return avatar
       })
     })

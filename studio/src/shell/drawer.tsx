@@ -4,6 +4,7 @@ import { MeshList } from './mesh-list.tsx'
 
 /** Drawer at the left: the meshes of the avatar and the regions of the face. */
 export function Drawer({ model }: { model: PanelModel }) {
+  if (!model.viewer.value) return null
   return (
     <>
       <MeshList model={model} />

@@ -27,6 +27,7 @@ const tab = signal<Tab>('look')
 export function Inspector({ model }: { model: PanelModel }) {
   const { tools, player, session, revision } = model
   revision.value
+  if (!model.viewer.value) return null
   if (tools.mode.value === 'motion') return <Animation player={player} onOpen={model.actions.openFiles} />
   const selected = selectedIn(model)
   if (!session.document.value) return <FromFile model={model} />

@@ -10,14 +10,15 @@ import { OpenButtons } from './open-buttons.tsx'
 /** Name of the project, with a card that opens and saves projects. */
 export function ProjectCard({ model }: { model: PanelModel }) {
   const { viewer, session } = model
-  const name = displayName(viewer.value?.avatar.name ?? '')
+  const shown = viewer.value?.avatar.name
+  const name = shown === undefined ? '' : displayName(shown)
   return (
     <Popover
-      label={`${FILE.project} ${name}`}
+      label={`${FILE.project} ${name}`.trim()}
       class="project"
       button={
         <>
-          <b>{name}</b>
+          <b>{name || FILE.project}</b>
           <Icon name="down" />
         </>
       }

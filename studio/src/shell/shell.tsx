@@ -1,6 +1,8 @@
 import { type ComponentType, render } from 'preact'
 import { createPortal } from 'preact/compat'
 import '../ui/change-events.ts'
+import { HintCard } from '../first/hint-card.tsx'
+import { StartCard } from '../first/start-card.tsx'
 import { AutoProgress } from '../panels/auto-progress.tsx'
 import type { PanelModel } from '../panels/model.ts'
 import { BottomBar } from './bottom-bar.tsx'
@@ -14,6 +16,8 @@ import { TopBar } from './top-bar.tsx'
 
 /** Parts of the page around the stage. The keys are the ids of their elements in `index.html`. */
 const PARTS = {
+  start: StartCard,
+  hints: HintCard,
   top: TopBar,
   tools: Toolbar,
   drawer: Drawer,
