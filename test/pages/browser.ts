@@ -3,7 +3,7 @@ import { afterAll, beforeAll } from 'vitest'
 import { launchBrowser } from '../../packages/cli/src/browser.ts'
 
 /** Time limit for an element or a page, milliseconds. Shorter than the time limit of a test, so that the error names the element. */
-const PATIENCE = 120_000
+const PATIENCE = 60_000
 
 /** Opens the browser for tests of pages. The caller must close it. */
 export const openBrowser = launchBrowser

@@ -7,7 +7,7 @@ import { expect, vi } from 'vitest'
 import { dropPaths as dropOnPage } from '../../scripts/lib/drop-paths.mjs'
 
 /** Time limit and polling interval, milliseconds. Pages compute and draw without a GPU. */
-export const DRAWING = { timeout: 120_000, interval: 200 }
+export const DRAWING = { timeout: 60_000, interval: 200 }
 
 /** Waits until a face is shown. */
 export async function waitUntilReady(page: Page, backend = ''): Promise<void> {
