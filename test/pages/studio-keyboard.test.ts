@@ -122,7 +122,7 @@ test('picks a line, moves its points, and deletes a point and the line', async (
   await expect.poll(shown).toBe(true)
   await tabTo('Line')
   const lines = await page.getByLabel('Line', { exact: true }).locator('option').count()
-  await press('i', 'n', 'n', 'e', 'r')
+  await press('o', 'u', 't', 'e', 'r')
   await tabTo(/^Point 1 of /)
   const count = async () => Number((await focused()).name.split(' ').at(-1))
   const before = await count()
