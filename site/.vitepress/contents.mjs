@@ -31,6 +31,7 @@ const GUIDES = [
   group('Drive them', [
     doc('Drivers', 'drivers'),
     doc('Drivers in the studio', 'studio-drivers'),
+    doc('Layers, projects and files', 'studio-files'),
     doc('Expressions', 'expressions'),
     doc('Face tracking', 'tracking'),
     doc('Live trackers', 'live'),

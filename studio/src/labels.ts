@@ -153,6 +153,10 @@ export const CARD = {
   depth: 'Depth, mm',
   hide: 'Hide',
   section: 'Cross-section',
+  shows: 'When does this wrinkle show?',
+  always: 'Always',
+  inPose: 'With this expression',
+  noPose: 'To show it with an expression, press one first.',
 } as const
 
 /** Everyday names of the regions, by their names in files without the side. */
@@ -183,6 +187,11 @@ const REGION_NAMES: Readonly<Record<string, string>> = {
 function splitSide(name: string): [stem: string, side: string] {
   const side = name.match(/(?<=.)(Left|Right)$/)?.[0] ?? ''
   return [name.slice(0, name.length - side.length), side]
+}
+
+/** Returns the label of the choice that shows a wrinkle with an expression: `With Surprised`. */
+export function inExpression(name: string | null): string {
+  return name === null ? CARD.inPose : `With ${expressionLabel(name)}`
 }
 
 /** Returns the label of an expression: `Left brow` for `leftBrow`. */

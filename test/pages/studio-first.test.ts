@@ -7,7 +7,7 @@ import { dropPaths as dropOnPage } from '../../scripts/lib/drop-paths.mjs'
 import { openStudio } from './opened-studio.ts'
 import { areaChoice, button, eventually, expectValue, slider, waitUntilReady } from './studio-page.ts'
 
-const studio = openStudio({ width: 900, height: 600 })
+const studio = openStudio({ width: 1000, height: 560 })
 let page: Page
 
 beforeAll(() => {

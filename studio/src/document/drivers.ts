@@ -12,7 +12,7 @@ import { changed, findNamed, kept } from './names.ts'
 import { otherSide } from './sides.ts'
 
 /** A blendshape whose weight is at most this counts as not set. */
-const UNSET = 0.01
+export const UNSET = 0.01
 
 /**
  * Makes the current pose activate an area (a group of wrinkles) fully. Replaces the area's blendshape drivers by one driver: a weighted sum of

@@ -34,6 +34,8 @@ export class LineEditor {
   readonly layer = signal('')
   /** Index of the chosen point in `handles`, or -1. */
   readonly point = signal(-1)
+  /** Areas that the last drawn line added, because it was drawn on bare skin. The user has not chosen yet when they show. */
+  readonly added = signal<readonly string[]>([])
   readonly session: Session
   readonly #surface: () => LineSurface | null
   /** Index of the chosen line. It stays valid when an operation or undo replaces the object of the line. */
@@ -87,6 +89,7 @@ export class LineEditor {
   choose(stroke: LayerStroke | null): void {
     const { strokes } = this.session.document.peek() ?? {}
     this.#index.value = (stroke && strokes?.indexOf(stroke)) ?? -1
+    this.added.value = []
     this.#counterparts.clear()
     this.point.value = -1
   }
@@ -211,6 +214,7 @@ export class LineEditor {
       points,
       waviness: 0,
     }
+    const known = new Set(this.session.document.peek()?.areas.map(({ name }) => name))
     const image = this.mirrored.peek() ? mirrorStroke(line, surface.canvas, surface.middle) : null
     this.session.edit('Draw a line', (document) => {
       const drawn = addLine(document, line, surface.canvas)
@@ -223,7 +227,8 @@ export class LineEditor {
       const isOwn = counterpartOf(probe.strokes, drawn.strokes.length - 1, surface) < 0
       return isOwn ? drawn : addLine(drawn, image, surface.canvas)
     })
-    const { strokes } = this.session.document.peek()!
+    const { strokes, areas } = this.session.document.peek()!
+    this.added.value = areas.map(({ name }) => name).filter((name) => !known.has(name))
     this.#index.value = strokes.findLastIndex((stroke) => stroke.points === points)
     this.point.value = -1
   }

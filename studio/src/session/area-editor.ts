@@ -168,6 +168,13 @@ export class AreaEditor {
     this.#edit(`Record the pose of ${name}`, (document) => recordPose(document, name, weights))
   }
 
+  /** Makes only a pose activate areas, which have been visible always. @param weights blendshape weights by name, 0..1. */
+  showInPose(names: readonly string[], weights: ReadonlyMap<string, number>): void {
+    this.#edit(`Show ${names.join(', ')} in a pose`, (document) =>
+      names.reduce((old, name) => setArea(recordPose(old, name, weights), name, { activation: 0 }), document),
+    )
+  }
+
   get #areas(): readonly StudioArea[] {
     return this.#session.document.peek()?.areas ?? []
   }

@@ -7,6 +7,7 @@ import type { PanelModel } from '../panels/model.ts'
 import { RegionCard } from './region-card.tsx'
 import { type Selected, selectedIn } from './selected.ts'
 import { isSmallPage } from './small-page.ts'
+import { WhenQuestion } from './when-question.tsx'
 
 /** Cards over the stage: the main values of the selected region or line, and the region under the pointer. */
 export function Cards({ model }: { model: PanelModel }) {
@@ -73,10 +74,12 @@ const SLIDERS = [
 ] as const
 
 /** Depth, width and softness of a line, and its cross-section. */
-function LineCard({ model: { lines, actions } }: { model: PanelModel }) {
+function LineCard({ model }: { model: PanelModel }) {
+  const { lines, actions } = model
   const line = lines.chosen.value!
   return (
     <>
+      {lines.added.value.length > 0 && <WhenQuestion model={model} />}
       <LineSection line={line} label={CARD.section} />
       {SLIDERS.map(({ field, label, range }) => (
         <NumberSlider

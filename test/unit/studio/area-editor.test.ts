@@ -105,3 +105,17 @@ it('moving a slider until its release is one undo step', () => {
   session.undo()
   expect(activation()).toBe(sampleDocument().areas.find(({ name }) => name === 'frown')!.activation)
 })
+
+it('shows areas in a pose in one undo step, and at rest no longer', () => {
+  areas.set('frown', { activation: 1 })
+  areas.settle()
+  const before = session.document.value
+  areas.showInPose(['frown'], new Map([['browDownLeft', 0.5]]))
+  const { areas: list, drivers } = session.document.value!
+  expect(list.find(({ name }) => name === 'frown')!.activation).toBe(0)
+  const driver = { type: 'morph', area: 'frown', targets: [{ name: 'browDownLeft', weight: 2 }] }
+  expect(drivers).toContainEqual(expect.objectContaining(driver))
+  session.undo()
+  expect(session.document.value).toBe(before)
+  expect(errors).toEqual([])
+})

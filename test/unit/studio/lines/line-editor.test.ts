@@ -189,6 +189,18 @@ describe('a drawn line', () => {
     expect(session.document.value!.areas.at(-1)).toMatchObject({ name: 'lines', activation: 1 })
   })
 
+  test('asks when it shows only if it was drawn on bare skin, until another line is chosen', () => {
+    editor.draw(across(0.2, 0.2, 0.8))
+    expect(editor.added.value).toEqual([])
+    editor.draw(across(0.8, 0.2, 0.8))
+    expect(editor.added.value).toEqual(['lines'])
+    editor.choose(strokes()[0])
+    expect(editor.added.value).toEqual([])
+    // The second line on the same skin is in the area of the first.
+    editor.draw(across(0.8, 0.2, 0.8))
+    expect(editor.added.value).toEqual([])
+  })
+
   test('extends the area that the artist named', () => {
     editor.setGroup('frown')
     editor.draw(across(0.8, 0.2, 0.8))
