@@ -1,5 +1,6 @@
 import { type ComponentType, render } from 'preact'
 import { createPortal } from 'preact/compat'
+import '../ui/change-events.ts'
 import { AutoProgress } from '../panels/auto-progress.tsx'
 import type { PanelModel } from '../panels/model.ts'
 import { BottomBar } from './bottom-bar.tsx'
