@@ -3,7 +3,7 @@
  * import it, because `package.json` has no `exports` entry for it. `scripts/lib/sources.mjs` and `tsconfig.base.json` resolve the name.
  */
 
-export { LINE_REGIONS } from '../src/author/auto/anatomy/region-names.ts'
+export { LINE_REGIONS, sidesOf } from '../src/author/auto/anatomy/region-names.ts'
 export { AUTO_STEPS, strokesOf } from '../src/author/auto/auto.ts'
 export type { AutoBlood, BloodArea } from '../src/author/auto/blood/draw-blood.ts'
 export { BULGES_FROM } from '../src/author/auto/bulges/bulge-driver.ts'
