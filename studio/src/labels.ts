@@ -93,6 +93,8 @@ export const AUTOMATIC = {
   size: 'Map size',
   shuffle: 'Shuffle',
   regions: 'Regions with wrinkles',
+  savePreset: 'Save preset…',
+  applyPreset: 'Apply preset…',
 } as const
 
 /** Fields and commands of a region, which the file calls an area. */
@@ -137,6 +139,7 @@ export const LINE = {
 export const CARD = {
   strength: 'Strength',
   depth: 'Depth, mm',
+  density: 'Number of lines',
   hide: 'Hide',
   section: 'Cross-section',
 } as const

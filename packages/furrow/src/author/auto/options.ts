@@ -4,11 +4,11 @@ import { checkOptionNames, didYouMean } from '../../core/nearest-name.ts'
 import type { TangentFrame } from '../normals/height-to-normal.ts'
 import {
   AUTO_REGIONS,
+  AUTO_SIDES,
   type AutoRegion,
   type AutoSide,
   DENSE_REGIONS,
   type DenseRegion,
-  sidesOf,
 } from './anatomy/region-names.ts'
 import { CLOTH_KINDS, type ClothKind } from './cloth/cloth-kinds.ts'
 
@@ -90,11 +90,7 @@ const FRACTIONS: readonly string[] = ['age', 'strength', 'symmetry', 'density']
 /** Options with a value for each of several regions: name of a value, allowed keys, minimum and maximum. */
 const BY_REGION = {
   seeds: ['seed', AUTO_REGIONS, RANGES.seed],
-  strengths: [
-    'strength',
-    [...new Set<string>([...AUTO_REGIONS, ...AUTO_REGIONS.flatMap(sidesOf)])],
-    RANGES.strength,
-  ],
+  strengths: ['strength', AUTO_SIDES, RANGES.strength],
   densities: ['density', DENSE_REGIONS, [0.5, 2]],
 } as const satisfies Partial<Record<keyof AutoOptions, readonly unknown[]>>
 

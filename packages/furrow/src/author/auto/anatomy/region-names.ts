@@ -38,6 +38,11 @@ export function sidesOf(region: AutoRegion): readonly AutoSide[] {
   return MIDDLE_REGIONS.includes(region) ? [region] : [`${region}Left`, `${region}Right`]
 }
 
+/** Names of the regions of the face, and of their left and right halves. */
+export const AUTO_SIDES: readonly AutoSide[] = [
+  ...new Set([...AUTO_REGIONS, ...AUTO_REGIONS.flatMap((region) => sidesOf(region))]),
+]
+
 /** Regions with many lines, whose number can be chosen. The lines of `foreheadInner` belong to the whole forehead. */
 export const DENSE_REGIONS = [
   'foreheadInner',

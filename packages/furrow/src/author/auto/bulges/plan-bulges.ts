@@ -1,5 +1,5 @@
 import type { MissingRegion } from '../fit/fit-driver.ts'
-import { type Strengths, strengthOf } from '../lines/region-strengths.ts'
+import { regionStrength, type Strengths } from '../lines/region-strengths.ts'
 import { faceContext, type RegionSettings } from '../strain/face-strain.ts'
 import type { DetectedFace } from '../surface/detect-face.ts'
 import type { BulgeRegion } from './bulge-region.ts'
@@ -33,7 +33,7 @@ export function planBulges(
   { ageFraction, strength, strengths, layers, ...settings }: BulgeSettings,
 ): PlannedBulges {
   const both = bulgeRegions(faceContext(skin.face, ageFraction, settings), settings.regions).map((region) =>
-    scaled(region, strengthOf(strengths, region.name)),
+    scaled(region, regionStrength(strengths, region.name)),
   )
   const regions = skin.isMirrored ? leftAlone(both) : both
   if (layers <= LINE_LAYERS) {

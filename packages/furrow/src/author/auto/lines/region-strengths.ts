@@ -7,7 +7,7 @@ import type { LaidLine } from './laid-line.ts'
 export type Strengths = Readonly<Partial<Record<AutoSide, number>>>
 
 /** Returns the factor on the depth in an area. The factor of a half takes precedence over the factor of its region. */
-export function strengthOf(strengths: Strengths, area: string): number {
+export function regionStrength(strengths: Strengths, area: string): number {
   const region = area.replace(/(Left|Right)$/, '')
   return strengths[area as AutoSide] ?? strengths[region as AutoSide] ?? 1
 }
@@ -22,7 +22,7 @@ export function applyStrengths(
   regions: readonly Pick<SkinRegion, 'name' | 'influence'>[],
   strengths: Strengths,
 ): { lines: readonly LaidLine[]; factor: number } {
-  const factors = regions.map(({ name }) => strengthOf(strengths, name))
+  const factors = regions.map(({ name }) => regionStrength(strengths, name))
   const [first] = factors
   if (factors.every((each) => each === first)) return { lines, factor: first }
   const factor = Math.max(1, ...factors)
