@@ -139,7 +139,7 @@ export const LINE = {
 export const CARD = {
   strength: 'Strength',
   depth: 'Depth, mm',
-  density: 'Number of lines',
+  density: 'Line count',
   hide: 'Hide',
   section: 'Cross-section',
 } as const

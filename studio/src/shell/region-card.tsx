@@ -16,6 +16,7 @@ export function RegionCard({ area: { name }, model }: { area: StudioArea; model:
     actions.attempt(() => session.edit(`${label} of ${name}`, change, `${label} of ${name}`))
   const region = document.auto && regionOf(name)
   const dense = DENSE_REGIONS.find((each) => each === region)
+  const density = (dense && auto.value.densities?.[dense]) ?? 1
   const withDensity = (density: number) => {
     const settings = auto.peek()
     return { ...settings, densities: { ...settings.densities, [dense!]: density } }
@@ -45,7 +46,8 @@ export function RegionCard({ area: { name }, model }: { area: StudioArea; model:
         <NumberSlider
           label={CARD.density}
           range={[...AUTO_DENSITIES, 0.05]}
-          value={auto.value.densities?.[dense] ?? 1}
+          value={density}
+          text={`× ${density.toFixed(2)}`}
           onMove={(value) => actions.previewAuto(withDensity(value))}
           onRest={(value) => actions.makeAuto(withDensity(value))}
         />
