@@ -36,6 +36,7 @@ export const PROMISES = [
 
 /** Unit tests that run more random cases in `npm run test:all`. */
 export const MORE_CASES = [
+  'test/unit/author/preset.test.ts',
   'test/unit/author/strokes-schema.test.ts',
   'test/unit/cli/fuzz.test.ts',
   'test/unit/core/wrinkles-schema.test.ts',

@@ -1,3 +1,5 @@
+import { jsonFile } from 'furrow-files'
+import { presetOf } from './document/preset.ts'
 import type { ExportOptions } from './export/export-document.ts'
 import type { Messages } from './messages.ts'
 import { saveFile } from './save-file.ts'
@@ -45,6 +47,14 @@ export class Downloads {
   /** Saves the project to its folder if it has one, otherwise as a .zip file. */
   save(): Promise<unknown> {
     return this.#saving.folder.peek() ? this.saveToFolder(false) : this.saveProject()
+  }
+
+  /** Saves the settings of automatic wrinkles for use with other avatars. */
+  savePreset(viewer: Viewer | null): void {
+    const auto = this.#workspace.session.document.peek()?.auto
+    if (!viewer || !auto) return
+    const text = jsonFile({ version: 1, ...presetOf(auto) }) as BlobPart
+    saveFile(new Blob([text], { type: 'application/json' }), `${viewer.avatar.name}-preset.json`)
   }
 
   copyCode(text: string): Promise<unknown> {

@@ -107,6 +107,8 @@ export const AUTOMATIC = {
   size: 'Map size',
   shuffle: 'Shuffle',
   regions: 'Regions with wrinkles',
+  savePreset: 'Save preset…',
+  applyPreset: 'Apply preset…',
 } as const
 
 /** Fields and commands of a region, which the file calls an area. */
@@ -151,6 +153,7 @@ export const LINE = {
 export const CARD = {
   strength: 'Strength',
   depth: 'Depth, mm',
+  density: 'Line count',
   hide: 'Hide',
   section: 'Cross-section',
   shows: 'When does this wrinkle show?',

@@ -105,6 +105,7 @@ export function panelModel(parts: PanelParts): PanelModel {
       deleteProject: (id) => void messages.attempt(() => keeping.delete(id)),
       exportFace: (options) => void downloads.exportFace(options),
       cancelExport: () => exporting.cancel(),
+      savePreset: () => downloads.savePreset(host.viewer),
       saveProject: () => void downloads.saveProject(),
       saveToFolder: (isOtherFolder) => void downloads.saveToFolder(isOtherFolder),
       copyCode: (text) => void downloads.copyCode(text),

@@ -83,6 +83,14 @@ function writeWrinkles(bases: Bases, random: Random, folder: Folder): void {
   }
 }
 
+const PRESET = {
+  version: 1,
+  age: 60,
+  seeds: { chin: 3 },
+  strengths: { glabella: 2 },
+  regions: ['chin', 'nose'],
+}
+
 /** Names for the output file. The extension selects the format. `.glb` is listed twice, to pick it more often. */
 const OUTPUTS = ['out.glb', 'out.glb', 'out.vrm', 'out.gltf']
 
@@ -109,6 +117,10 @@ const CASES: Record<string, CaseMaker> = {
     const strokes = ['--strokes', folder.path('strokes.json')]
     const rare = [['--ktx2'], ['--report', folder.path('report')], ['--age', '80'], strokes]
     const options = random.chance(0.3) ? random.pick(rare) : []
+    if (random.chance(0.1)) {
+      const preset = damagedJson(Buffer.from(JSON.stringify(PRESET)), random)
+      options.push('--preset', folder.write('preset.json', preset))
+    }
     const small = ['--size', '512', '--areas', '4', '--age', '20', '--replace']
     return { ...runs(autoCommand, input, '-o', output, ...small, ...options), faces: [{ output, input }] }
   },

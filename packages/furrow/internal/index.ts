@@ -3,13 +3,14 @@
  * import it, because `package.json` has no `exports` entry for it. `scripts/lib/sources.mjs` and `tsconfig.base.json` resolve the name.
  */
 
-export { LINE_REGIONS } from '../src/author/auto/anatomy/region-names.ts'
+export { AUTO_SIDES, LINE_REGIONS, sidesOf } from '../src/author/auto/anatomy/region-names.ts'
 export { AUTO_STEPS, strokesOf } from '../src/author/auto/auto.ts'
 export type { AutoBlood, BloodArea } from '../src/author/auto/blood/draw-blood.ts'
 export { BULGES_FROM } from '../src/author/auto/bulges/bulge-driver.ts'
 export type { BulgeArea } from '../src/author/auto/bulges/draw-bulges.ts'
 export type { MissingRegion } from '../src/author/auto/fit/fit-driver.ts'
 export type { AutoFurrows, FurrowArea } from '../src/author/auto/furrows/draw-net.ts'
+export { regionStrength } from '../src/author/auto/lines/region-strengths.ts'
 export { halfSide, heightLevels } from '../src/author/auto/raster/half-side.ts'
 export { findBody } from '../src/author/auto/skeleton/body.ts'
 export { limbsOf } from '../src/author/auto/skeleton/limbs-of.ts'

@@ -1,5 +1,5 @@
 import type { Combine, GrayImage, LayerKind, WrinkleDriver } from 'furrow'
-import type { AutoRegion, Stroke, StrokesDocument } from 'furrow/author'
+import type { AutoRegion, AutoSide, DenseRegion, Stroke, StrokesDocument } from 'furrow/author'
 import type { Furrows, ShapeCorrection } from 'furrow/internal'
 
 /**
@@ -97,10 +97,11 @@ export type LayerStroke = Stroke & {
   readonly isAutomatic?: boolean
 }
 
-/** Ranges of `age`, `strength` and `symmetry` in `AutoSettings`, and the choices for `size`. */
+/** Ranges of `age`, `strength`, `symmetry` and `densities` in `AutoSettings`, and the choices for `size`. */
 export const AUTO_AGES = [20, 80] as const
 export const AUTO_STRENGTHS = [0, 2] as const
 export const AUTO_SYMMETRIES = [0, 1] as const
+export const AUTO_DENSITIES = [0.5, 2] as const
 export const AUTO_SIZES = [512, 1024, 2048, 4096] as const
 
 /** Options of `autoWrinkles` that the studio offers. */
@@ -115,6 +116,10 @@ export interface AutoSettings {
   readonly seed?: number
   /** Seeds of single regions, which override `seed`. */
   readonly seeds?: Readonly<Partial<Record<AutoRegion, number>>>
+  /** Factors on the depth in regions, or in halves of regions. Values over 2 are possible, but new automatic wrinkles get at most 2. */
+  readonly strengths?: Readonly<Partial<Record<AutoSide, number>>>
+  /** Factors on the number of lines in regions, 0.5..2. */
+  readonly densities?: Readonly<Partial<Record<DenseRegion, number>>>
   /** How much the right side mirrors the left side, 0..1. Default: 0. */
   readonly symmetry?: number
   /** Regions of the face that get wrinkles. Default: all regions. */

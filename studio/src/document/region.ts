@@ -1,6 +1,7 @@
 import type { WrinkleDriver } from 'furrow'
 import type { LayerStroke, StudioDocument } from './document.ts'
 import { areaOf } from './drivers.ts'
+import { isAllowed, scaleStrengths, sidesOfArea, sidesOfLines } from './region-strengths.ts'
 import { splitSide } from './sides.ts'
 import { edited } from './strokes.ts'
 
@@ -22,13 +23,22 @@ export function depthOf(document: StudioDocument, area: string): number {
   return Math.max(0, ...strokesIn(document, area).map(({ depth }) => Math.abs(depth)))
 }
 
-/** Scales the depths of an area's strokes, so that the largest is `depth`, millimetres. */
+/**
+ * Scales the depths of an area's strokes, so that the largest is `depth`, millimetres. The settings of automatic wrinkles change with them, so
+ * that new ones are as deep.
+ */
 export function setDepth(document: StudioDocument, area: string, depth: number): StudioDocument {
   const old = depthOf(document, area)
   if (old === 0) return document
-  const scale = (stroke: LayerStroke): LayerStroke =>
-    isIn(stroke, area) ? edited({ ...stroke, depth: (stroke.depth * depth) / old }) : stroke
-  return { ...document, strokes: document.strokes.map(scale) }
+  const sides = sidesOfLines(area)
+  const auto = scaleStrengths(document.auto, sides, depth / old)
+  const isReproducible = auto !== undefined && sides.length > 0 && isAllowed(auto, sides)
+  const scale = (stroke: LayerStroke): LayerStroke => {
+    if (!isIn(stroke, area)) return stroke
+    const scaled = { ...stroke, depth: (stroke.depth * depth) / old }
+    return isReproducible ? scaled : edited(scaled)
+  }
+  return { ...document, strokes: document.strokes.map(scale), ...(auto && { auto }) }
 }
 
 /** Returns the largest activation that the drivers of an area give, 0..1. Undefined if no driver has a curve. */
@@ -39,7 +49,10 @@ export function strengthOf({ drivers }: StudioDocument, area: string): number | 
   return outputs.length > 0 ? Math.max(...outputs) : undefined
 }
 
-/** Scales the curves of an area's drivers, so that their largest output is `strength`, 0..1. */
+/**
+ * Scales the curves of an area's drivers, so that their largest output is `strength`, 0..1. The settings of automatic wrinkles change with them:
+ * new ones have the largest output 1, and are less deep instead.
+ */
 export function setStrength(document: StudioDocument, area: string, strength: number): StudioDocument {
   const old = strengthOf(document, area)
   if (!old) return document
@@ -48,7 +61,8 @@ export function setStrength(document: StudioDocument, area: string, strength: nu
     const curve = driver.curve.map(([input, output]): [number, number] => [input, (output * strength) / old])
     return { ...driver, curve } as WrinkleDriver
   }
-  return { ...document, drivers: document.drivers.map(scale) }
+  const auto = scaleStrengths(document.auto, sidesOfArea(area), strength / old)
+  return { ...document, drivers: document.drivers.map(scale), ...(auto && { auto }) }
 }
 
 function isCurvedOf(driver: WrinkleDriver, area: string): driver is CurvedDriver {

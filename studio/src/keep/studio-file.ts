@@ -1,7 +1,15 @@
-import { AUTO_REGIONS } from 'furrow/author'
-import { JsonReader, MAX_IMAGE_SIDE, MAX_NUMBER, parseCorrections, SCALE_RANGE } from 'furrow/internal'
+import { AUTO_REGIONS, DENSE_REGIONS } from 'furrow/author'
+import {
+  AUTO_SIDES,
+  JsonReader,
+  MAX_IMAGE_SIDE,
+  MAX_NUMBER,
+  parseCorrections,
+  SCALE_RANGE,
+} from 'furrow/internal'
 import {
   AUTO_AGES,
+  AUTO_DENSITIES,
   AUTO_STRENGTHS,
   AUTO_SYMMETRIES,
   type AutoSettings,
@@ -149,13 +157,19 @@ function listOf<T>(
 
 /** Reads the settings of automatic wrinkles. Throws FurrowError at the first invalid field. */
 export function parseAuto(reader: JsonReader, value: unknown, path: string): AutoSettings {
-  const { age, strength, size, seed, seeds, symmetry, regions, shapes } = reader.object(value, path)
+  const fields = reader.object(value, path)
+  const { age, strength, size, seed, seeds, strengths, densities, symmetry, regions, shapes } = fields
   const seedAt = (value: unknown, path: string) => reader.integer(value, path, 0, 2 ** 32 - 1)
-  const parseSeeds = (value: unknown, path: string) =>
+  const byRegion = (
+    value: unknown,
+    path: string,
+    names: readonly string[],
+    parse: (value: unknown, path: string) => number,
+  ) =>
     Object.fromEntries(
-      Object.entries(reader.object(value, path, AUTO_REGIONS)).map(([region, seed]) => [
-        region,
-        seedAt(seed, `${path}.${region}`),
+      Object.entries(reader.object(value, path, names)).map(([name, each]) => [
+        name,
+        parse(each, `${path}.${name}`),
       ]),
     )
   return {
@@ -163,7 +177,17 @@ export function parseAuto(reader: JsonReader, value: unknown, path: string): Aut
     strength: reader.number(strength, `${path}.strength`, ...AUTO_STRENGTHS, ''),
     size: reader.integer(size, `${path}.size`, 16, MAX_IMAGE_SIDE),
     ...(seed !== undefined && { seed: seedAt(seed, `${path}.seed`) }),
-    ...(seeds !== undefined && { seeds: parseSeeds(seeds, `${path}.seeds`) }),
+    ...(seeds !== undefined && { seeds: byRegion(seeds, `${path}.seeds`, AUTO_REGIONS, seedAt) }),
+    ...(strengths !== undefined && {
+      strengths: byRegion(strengths, `${path}.strengths`, AUTO_SIDES, (value, at) =>
+        reader.number(value, at, AUTO_STRENGTHS[0], MAX_NUMBER, ''),
+      ),
+    }),
+    ...(densities !== undefined && {
+      densities: byRegion(densities, `${path}.densities`, DENSE_REGIONS, (value, at) =>
+        reader.number(value, at, ...AUTO_DENSITIES, ''),
+      ),
+    }),
     ...(symmetry !== undefined && {
       symmetry: reader.number(symmetry, `${path}.symmetry`, ...AUTO_SYMMETRIES, ''),
     }),

@@ -1,8 +1,9 @@
 import { FurrowError } from 'furrow'
-import { AUTO_REGIONS } from 'furrow/author'
-import type { AutoRegion } from 'furrow/auto'
+import { AUTO_REGIONS, DENSE_REGIONS } from 'furrow/author'
+import { AUTO_SIDES, MAX_NUMBER } from 'furrow/internal'
 import {
   AUTO_AGES,
+  AUTO_DENSITIES,
   AUTO_SIZES,
   AUTO_STRENGTHS,
   AUTO_SYMMETRIES,
@@ -33,8 +34,8 @@ const MAX_SEED = 2 ** 32 - 1
 /**
  * Formats a link as a URL hash without `#`, for example
  * `model=faces/human.glb&pose=jawOpen:0.25&camera=0,1.6,0.5,0,1.6,0&light=60,20&auto=45,1,1024,1`. The values of `auto` are age, strength,
- * map size, seed and, optionally, regions of the face. The optional parts `lines=chin:2` and
- * `symmetry=0.5` set the seed of the region `chin` and the symmetry.
+ * map size, seed and, optionally, regions of the face. Optional parts are `lines=chin:2` (seeds of regions), `strengths=chin:0.5`,
+ * `densities=nose:2` and `symmetry=0.5`.
  *
  * @param base page URL. If the model is below the page's folder, its address in the link is relative.
  */
@@ -49,10 +50,12 @@ export function formatLink({ model, pose, camera, light, auto }: Link, base: str
   if (camera) add('camera', camera.map((value) => Number(value.toPrecision(5))).join(','))
   if (light) add('light', `${light.yaw},${light.pitch}`)
   if (auto) {
-    const { age, strength, size, seed, symmetry = 0, regions = [], seeds = {} } = auto
+    const { age, strength, size, seed, symmetry = 0, regions = [], seeds, strengths, densities } = auto
     add('auto', [age ?? '', strength, size, seed ?? '', ...regions].join(','))
-    const lines = Object.entries(seeds).map(([region, own]) => `${region}:${own}`)
-    if (lines.length > 0) add('lines', lines.join(','))
+    for (const [name, values] of Object.entries({ lines: seeds, strengths, densities })) {
+      const entries = Object.entries(values ?? {}).map(([region, own]) => `${region}:${own}`)
+      if (entries.length > 0) add(name, entries.join(','))
+    }
     if (symmetry > 0) add('symmetry', `${symmetry}`)
   }
   return parts.join('&')
@@ -79,7 +82,13 @@ export function parseLink(hash: string, base: string): Link {
     return part === undefined ? undefined : parse(part)
   }
   const auto = read('auto', autoOf)
-  const seeds = read('lines', seedsOf)
+  const seeds = read('lines', (part) => byRegion(part, AUTO_REGIONS, seedIn))
+  const strengths = read('strengths', (part) =>
+    byRegion(part, AUTO_SIDES, (text) => numberIn(text, 'its strength', AUTO_STRENGTHS[0], MAX_NUMBER)),
+  )
+  const densities = read('densities', (part) =>
+    byRegion(part, DENSE_REGIONS, (text) => numberIn(text, 'its number of lines', ...AUTO_DENSITIES)),
+  )
   const symmetry = read('symmetry', (part) => numberIn(part, 'its symmetry', ...AUTO_SYMMETRIES))
   return {
     model: read('model', (part) => addressOf(unescaped(part), base)),
@@ -89,6 +98,8 @@ export function parseLink(hash: string, base: string): Link {
     auto: auto && {
       ...auto,
       ...(seeds && { seeds }),
+      ...(strengths && { strengths }),
+      ...(densities && { densities }),
       ...(symmetry !== undefined && { symmetry }),
     },
   }
@@ -147,7 +158,7 @@ function autoOf(text: string): AutoSettings {
   const [age, strength, size, seed, ...regions] = text.split(',')
   const side = numberIn(size, 'its size', AUTO_SIZES[0], AUTO_SIZES.at(-1)!)
   if (!AUTO_SIZES.includes(side as never)) throw unusableError('its size', side, AUTO_SIZES.join(', '))
-  for (const region of regions) checkRegion(region)
+  for (const region of regions) checkRegion(region, AUTO_REGIONS)
   return {
     ...(age !== '' && { age: numberIn(age, 'its age', ...AUTO_AGES) }),
     strength: numberIn(strength, 'its strength', ...AUTO_STRENGTHS),
@@ -157,19 +168,23 @@ function autoOf(text: string): AutoSettings {
   }
 }
 
-function seedsOf(text: string): AutoSettings['seeds'] {
+function byRegion(
+  text: string,
+  names: readonly string[],
+  parse: (value: string | undefined) => number,
+): Record<string, number> {
   return Object.fromEntries(
     text.split(',').map((entry) => {
-      const [region, seed] = entry.split(':')
-      checkRegion(region)
-      return [region, seedIn(seed)]
+      const [region, value] = entry.split(':')
+      checkRegion(region, names)
+      return [region, parse(value)]
     }),
   )
 }
 
-function checkRegion(region: string): void {
-  if (AUTO_REGIONS.includes(region as AutoRegion)) return
-  throw unusableError('its region', region.slice(0, MAX.name), AUTO_REGIONS.join(', '))
+function checkRegion(region: string, names: readonly string[]): void {
+  if (names.includes(region)) return
+  throw unusableError('its region', region.slice(0, MAX.name), names.join(', '))
 }
 
 function seedIn(text: string | undefined): number {

@@ -4,7 +4,7 @@ import { bytesOf, type DroppedFile } from '../files/dropped-files.ts'
 import type { WrinklesFolder } from '../files/folder-files.ts'
 
 /** Dropped files, with the kind of their contents. */
-export type Dropped = DroppedAvatar | DroppedWrinkles | DroppedCaptures | DroppedAreas
+export type Dropped = DroppedAvatar | DroppedWrinkles | DroppedCaptures | DroppedAreas | DroppedPreset
 
 export interface DroppedAvatar {
   kind: 'avatar'
@@ -36,8 +36,15 @@ export interface DroppedAreas {
   images: readonly DroppedFile[]
 }
 
+/** Settings of automatic wrinkles for the current avatar. */
+export interface DroppedPreset {
+  kind: 'preset'
+  preset: DroppedFile
+}
+
 const FACE = /\.(glb|vrm|gltf)$/i
 const TABLE = /\.csv$/i
+const JSON_FILE = /\.json$/i
 const IMAGE = /\.(png|jpe?g|webp|avif)$/i
 /** Paths of files by which a folder of wrinkles is recognised. */
 const WRINKLES = /^(|.*\/)(wrinkles\.json|layers\/[^/]+\/normal\.png)$/
@@ -63,6 +70,8 @@ export async function sortFiles(dropped: readonly DroppedFile[]): Promise<Droppe
   if (tables.length > 0) return { kind: 'captures', tables }
   const images = files.filter(({ path }) => IMAGE.test(path))
   if (images.length > 0) return { kind: 'areas', images }
+  const preset = files.find(({ path }) => JSON_FILE.test(path))
+  if (preset) return { kind: 'preset', preset }
   throw await unsupportedFilesError(files)
 }
 
@@ -111,7 +120,8 @@ function byDepth(a: string, b: string): number {
 
 async function unsupportedFilesError(files: readonly DroppedFile[]): Promise<FurrowError> {
   const [first] = files
-  const remedy = 'drop a .glb, .vrm or .gltf, a folder of wrinkles, gray images, or a CSV of Live Link Face'
+  const remedy =
+    'drop a .glb, .vrm or .gltf, a folder of wrinkles, gray images, a preset, or a CSV of Live Link Face'
   if (!first) return new FurrowError({ who: 'Studio', problem: 'no file was dropped', remedy })
   const other = otherFormat(await bytesOf(first.file.slice(0, HEAD_BYTES), first.path))
   const problem = other?.problem ?? 'its contents are unknown'

@@ -65,6 +65,22 @@ export function AutomaticWrinkles({ model }: { model: PanelModel }) {
           actions.makeAuto(regions.length === AUTO_REGIONS.length ? others : { ...others, regions })
         }}
       />
+      <div class="work">
+        <button type="button" onClick={actions.savePreset}>
+          {AUTOMATIC.savePreset}
+        </button>
+        <label class="file">
+          <input
+            type="file"
+            accept=".json"
+            onChange={({ currentTarget }) => {
+              actions.openFiles([...currentTarget.files!])
+              currentTarget.value = ''
+            }}
+          />
+          <span>{AUTOMATIC.applyPreset}</span>
+        </label>
+      </div>
     </div>
   )
 }

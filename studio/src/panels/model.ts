@@ -95,6 +95,8 @@ export interface PanelActions {
   /** Makes automatic wrinkles with maps of full size. */
   makeAuto(settings: AutoSettings): void
   cancelAuto(): void
+  /** Saves the settings of automatic wrinkles as a file, for other avatars. */
+  savePreset(): void
   /** Makes a document from the wrinkles in the avatar's file, so that they can be edited. */
   editWrinkles(): void
   openProject(id: string): void

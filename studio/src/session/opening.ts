@@ -1,10 +1,12 @@
 import { FurrowError } from 'furrow'
 import type { RendererKind } from '../../../stage/stage.ts'
 import { displayName } from '../display-name.ts'
+import { applyPreset } from '../document/preset.ts'
 import type { DroppedFile } from '../files/dropped-files.ts'
 import type { Loading } from '../loading.ts'
 import type { Messages } from '../messages.ts'
 import { type OpenedAvatar, openDropped } from '../open/avatar.ts'
+import { readPreset } from '../open/read-preset.ts'
 import { sortFiles } from '../open/sort-files.ts'
 import type { Workspace } from '../session/workspace.ts'
 import { fetchFace } from '../viewer/faces.ts'
@@ -62,7 +64,7 @@ export class Opening {
   }
 
   /**
-   * Opens dropped files: an avatar, or wrinkles, areas or facial captures for the current avatar.
+   * Opens dropped files: an avatar, or wrinkles, areas, facial captures or a preset for the current avatar.
    *
    * @param list lists the files. Called synchronously, because browsers deny access to dropped files after the event.
    */
@@ -72,6 +74,7 @@ export class Opening {
       const dropped = await sortFiles(await list())
       if (dropped.kind === 'areas') return addAreas(dropped.images.map(({ file }) => file))
       if (dropped.kind === 'captures') return this.#addCapture(dropped.tables)
+      if (dropped.kind === 'preset') return this.#applyPreset(dropped.preset)
       await this.open(async (shown) => {
         const name = dropped.kind === 'avatar' ? dropped.face.file.name : dropped.wrinkles.name
         loading.show(`Loading ${name}`)
@@ -93,6 +96,15 @@ export class Opening {
     messages.note(`Added ${capture.name} to Animation`)
   }
 
+  async #applyPreset(dropped: DroppedFile): Promise<void> {
+    const { workspace, messages } = this.#parts
+    const preset = await readPreset(dropped)
+    const settings = workspace.session.document.peek()?.auto
+    if (!settings) throw noAutomaticError(dropped.path)
+    await workspace.makeAuto(applyPreset(settings, preset))
+    messages.note(`Applied ${dropped.path}`)
+  }
+
   #projectOf(id: string, take = false): Promise<OpenedAvatar> {
     this.#parts.loading.show('Opening')
     return this.#parts.workspace.openProject(id, take)
@@ -104,5 +116,13 @@ function noAvatarError(capture: string): FurrowError {
     who: 'Studio',
     problem: `there is no avatar for ${capture} to move`,
     remedy: 'drop one first',
+  })
+}
+
+function noAutomaticError(preset: string): FurrowError {
+  return new FurrowError({
+    who: 'Studio',
+    problem: `there are no automatic wrinkles to which ${preset} applies`,
+    remedy: 'open an avatar without wrinkles first',
   })
 }

@@ -12,6 +12,7 @@ import {
   type LayerStroke,
   type StudioDocument,
 } from '../document/document.ts'
+import { limited } from '../document/region-strengths.ts'
 import { MapMaker } from '../draw/map-maker.ts'
 import type { ExportOptions } from '../export/export-document.ts'
 import type { Project } from '../keep/project.ts'
@@ -231,8 +232,14 @@ export class Workspace {
     if (!source) return null
     this.#settings.value = settings
     const layers = maxAutoLayers(this.session.document.peek())
-    const { shapes = [], ...others } = settings
-    const options = { ...others, size, areaSize: this.#areaSize, layers }
+    const { shapes = [], strengths = {}, ...others } = settings
+    const options = {
+      ...others,
+      strengths: limited(strengths),
+      size,
+      areaSize: this.#areaSize,
+      layers,
+    }
     const wrinkles = await this.automatic.make({ ...source, skin: correctedSkin(source, shapes) }, options)
     if (!wrinkles) return null
     if (wrinkles.emptyReason !== undefined) throw noWrinklesError(wrinkles.emptyReason)

@@ -1,5 +1,5 @@
-import { AUTO_REGIONS, type AutoRegion } from 'furrow/author'
-import type { StudioArea, StudioDocument } from '../document/document.ts'
+import { AUTO_REGIONS, type AutoRegion, DENSE_REGIONS } from 'furrow/author'
+import { AUTO_DENSITIES, type StudioArea, type StudioDocument } from '../document/document.ts'
 import { depthOf, setDepth, setStrength, strengthOf } from '../document/region.ts'
 import { splitSide } from '../document/sides.ts'
 import { AUTOMATIC, CARD } from '../labels.ts'
@@ -7,7 +7,7 @@ import { NumberSlider } from '../panels/controls/number-slider.tsx'
 import type { PanelModel } from '../panels/model.ts'
 import { Icon } from '../ui/icon.tsx'
 
-/** Strength, depth, other lines, and visibility of a region. */
+/** Strength, depth, number of lines, other lines, and visibility of a region. */
 export function RegionCard({ area: { name }, model }: { area: StudioArea; model: PanelModel }) {
   const { session, areas, auto, actions } = model
   const document = session.document.value!
@@ -15,6 +15,12 @@ export function RegionCard({ area: { name }, model }: { area: StudioArea; model:
   const edit = (label: string, change: (old: StudioDocument) => StudioDocument) =>
     actions.attempt(() => session.edit(`${label} of ${name}`, change, `${label} of ${name}`))
   const region = document.auto && regionOf(name)
+  const dense = DENSE_REGIONS.find((each) => each === region)
+  const density = (dense && auto.value.densities?.[dense]) ?? 1
+  const withDensity = (density: number) => {
+    const settings = auto.peek()
+    return { ...settings, densities: { ...settings.densities, [dense!]: density } }
+  }
   const isHidden = areas.muted.value.has(name)
   return (
     <>
@@ -34,6 +40,16 @@ export function RegionCard({ area: { name }, model }: { area: StudioArea; model:
           value={depth}
           onMove={(value) => edit('Depth', (old) => setDepth(old, name, value))}
           onRest={() => session.settle()}
+        />
+      )}
+      {dense && (
+        <NumberSlider
+          label={CARD.density}
+          range={[...AUTO_DENSITIES, 0.05]}
+          value={density}
+          text={`× ${density.toFixed(2)}`}
+          onMove={(value) => actions.previewAuto(withDensity(value))}
+          onRest={(value) => actions.makeAuto(withDensity(value))}
         />
       )}
       <div class="work">

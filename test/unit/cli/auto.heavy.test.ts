@@ -1,6 +1,7 @@
 import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { SingleBar } from 'cli-progress'
+import { parseStrokes } from 'furrow/author'
 import { AUTO_STEPS, parseWrinkleMaps } from 'furrow/internal'
 import sharp from 'sharp'
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest'
@@ -36,6 +37,21 @@ describe('a body without a face', () => {
   test('has no regions to choose', async () => {
     const body = await write('body.glb')
     await fails('regions require a face', body, '-o', file('x.glb'), '--regions', 'neck', 'chin')
+  })
+
+  test('gets the strength and the seed of a preset, unless an option overrides them', async () => {
+    const body = await write('body.glb')
+    const preset = at.shop.json('preset.json', { version: 1, seed: 2, strength: 0.5 })
+    const depths = async (...options: string[]) => {
+      await run(body, '-o', file('out.glb'), '--strokes', file('lines.json'), '--seed', '9', ...options)
+      const { seed, strokes } = parseStrokes(JSON.parse(readFileSync(file('lines.json'), 'utf8')))
+      expect(seed).toBe(9)
+      return strokes.map(({ depth }) => depth)
+    }
+    const [plain, shallow] = [await depths(), await depths('--preset', preset)]
+    expect(plain.length).toBeGreaterThan(0)
+    expect(shallow).toHaveLength(plain.length)
+    for (const [i, depth] of plain.entries()) expect(shallow[i] / depth).toBeCloseTo(0.5, 2)
   })
 
   test('is described as JSON', async () => {

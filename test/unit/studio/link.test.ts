@@ -20,6 +20,8 @@ const fullLink: Link = {
     seed: 7,
     regions: ['glabella', 'chin'],
     seeds: { chin: 9 },
+    strengths: { crowsFeetLeft: 0.5 },
+    densities: { nose: 1.5 },
     symmetry: 0.35,
   },
 }

@@ -81,6 +81,8 @@ export function sampleDocument(): StudioDocument {
       size: 64,
       seed: 1,
       symmetry: 0.5,
+      strengths: { crowsFeetLeft: 2.5, chin: 0 },
+      densities: { nose: 1.5 },
       shapes: [{ mesh: 'Head', target: 'key_12', shape: 'browInnerUp' }],
     },
   }

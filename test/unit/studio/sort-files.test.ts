@@ -64,6 +64,12 @@ describe('a drop of files', () => {
     expect(sorted).toMatchObject({ kind: 'captures', tables: [take[0], take[1]] })
   })
 
+  it('opens a JSON file without wrinkles as a preset', async () => {
+    const [preset] = dropped({ 'looks/old.json': '{}' })
+    expect(await sortFiles([preset])).toEqual({ kind: 'preset', preset })
+    expect((await faceOf({ 'a.glb': GLB, 'old.json': '{}' })).face).toBe('a.glb')
+  })
+
   it('opens a face, whatever tables are in its folder', async () => {
     expect((await faceOf({ 'a/a.glb': GLB, 'a/a.csv': 'Timecode' })).face).toBe('a/a.glb')
   })
@@ -76,7 +82,7 @@ describe('a drop of files', () => {
       'notes.txt',
       'hello',
       'it is text, not glTF',
-      'drop a .glb, .vrm or .gltf, a folder of wrinkles, gray images, or a CSV of Live Link Face',
+      'drop a .glb, .vrm or .gltf, a folder of wrinkles, gray images, a preset, or a CSV of Live Link Face',
     ],
     ['unknown', '\x00\x01', 'its contents are unknown', 'drop a .glb'],
   ])('is refused if it is %s', async (name, text, problem, remedy) => {

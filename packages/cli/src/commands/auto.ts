@@ -1,7 +1,15 @@
 import { join } from 'node:path'
 import { InvalidArgumentError, Option } from 'commander'
 import { FurrowError } from 'furrow'
-import { AUTO_DEFAULTS, AUTO_REGIONS, type AutoRegion, CLOTH_KINDS, type ClothKind } from 'furrow/author'
+import {
+  AUTO_DEFAULTS,
+  AUTO_REGIONS,
+  type AutoPreset,
+  type AutoRegion,
+  CLOTH_KINDS,
+  type ClothKind,
+  parseAutoPreset,
+} from 'furrow/author'
 import { AUTO_STEPS, BULGES_FROM, strokesOf } from 'furrow/internal'
 import {
   checkBasisSize,
@@ -44,11 +52,12 @@ const KTX2_LAYERS = 2
 
 interface Options {
   output: string
+  preset?: string
   age?: number
-  strength: number
+  strength?: number
   size: (typeof SIZES)[number]
   seed?: number
-  symmetry: number
+  symmetry?: number
   mesh?: string
   kind?: Map<string, SurfaceKind>
   cloth?: ClothKind
@@ -75,12 +84,17 @@ export const autoCommand = createCommand('auto')
   .description('generate wrinkles from blendshapes and joints')
   .argument('<face>', 'character with blendshapes or joints (.glb, .vrm, .gltf)')
   .requiredOption('-o, --output <file>', 'character with wrinkles (.glb, .vrm, .gltf)')
+  .option('--preset <file>', 'settings per region; other options override them (.json)')
   .option(
     '--age <years>',
     `age, 20 to 80; also ages the neutral face if given, with bulges from ${BULGES_FROM} on (default: ${AUTO_DEFAULTS.age})`,
     years,
   )
-  .option('--strength <factor>', 'scale of line depth and blood, 0 to 2', factor, AUTO_DEFAULTS.strength)
+  .option(
+    '--strength <factor>',
+    `scale of line depth and blood, 0 to 2 (default: ${AUTO_DEFAULTS.strength})`,
+    factor,
+  )
   .addOption(
     new Option('--size <texels>', 'size of the maps').choices(SIZES).default(String(AUTO_DEFAULTS.size)),
   )
@@ -91,9 +105,8 @@ export const autoCommand = createCommand('auto')
   )
   .option(
     '--symmetry <fraction>',
-    'how much the right side mirrors the left, 0 (as in people) to 1',
+    `how much the right side mirrors the left, 0 (as in people) to 1 (default: ${AUTO_DEFAULTS.symmetry})`,
     fraction,
-    AUTO_DEFAULTS.symmetry,
   )
   .option(
     '--mesh <name>',
@@ -139,30 +152,19 @@ function parseKind(text: string, before: Map<string, SurfaceKind> = new Map()): 
 }
 
 async function auto(face: string, options: Options): Promise<void> {
-  const {
-    output,
-    report,
-    strokes,
-    mesh,
-    age,
-    strength,
-    symmetry,
-    areas,
-    regions,
-    furrows = false,
-    ktx2 = false,
-  } = options
+  const { output, report, strokes, mesh, areas, furrows = false, ktx2 = false } = options
+  const preset = await presetOf(options)
+  const { age, regions, strength = AUTO_DEFAULTS.strength, symmetry = AUTO_DEFAULTS.symmetry } = preset
   const others = [furrows, age !== undefined && age > BULGES_FROM].filter(Boolean).length
   const layers = options.layers ?? (ktx2 ? KTX2_LAYERS + others : AUTO_DEFAULTS.layers)
   const settings = {
-    ...(age !== undefined && { age }),
+    ...preset,
     strength,
     symmetry,
     size: Number(options.size),
     layers,
     areas,
     furrows,
-    ...(regions && { regions }),
   }
   if (furrows && layers < 2) throw withoutFurrowLayer()
   if (ktx2) checkCompressible(settings.size, layers)
@@ -190,7 +192,7 @@ async function auto(face: string, options: Options): Promise<void> {
     })
     const source = { glb, document, who: WHO }
     const surfaceSettings = {
-      options: { ...settings, ...(options.seed !== undefined && { seed: options.seed }) },
+      options: settings,
       ktx2,
       replace: options.replace ?? false,
     }
@@ -211,12 +213,17 @@ async function auto(face: string, options: Options): Promise<void> {
     const texts = [...own, ...skipped, ...notes]
     const warnings = texts.map((text) => `${WHO}: ${text}`)
     if (report !== undefined) {
+      const { seeds, strengths, densities, ...plain } = settings
+      const byRegion = Object.entries({ seeds, strengths, densities }).flatMap(([name, values]) =>
+        values ? [[name, valuesText(values)]] : [],
+      )
       const listed = {
         age: AUTO_DEFAULTS.age,
-        ...settings,
+        ...plain,
         seed: wrinkles.seed,
         furrows: furrows ? 'yes' : 'no',
         regions: regions?.join(', ') ?? 'all',
+        ...Object.fromEntries(byRegion),
       }
       const path = isStdout(output) ? face : output
       const source = { path, glb, found, wrinkles, settings: listed, warnings }
@@ -229,10 +236,25 @@ async function auto(face: string, options: Options): Promise<void> {
     return { made, bytes, texts, warnings }
   })
   for (const warning of warnings) warn(warning)
+  const outputs = { output, symmetry, ktx2, ...(report !== undefined && { report }) }
   print(
-    options.json ? JSON.stringify(summaryOf(made, options, bytes, texts)) : summaryLines(made, options),
+    options.json ? JSON.stringify(summaryOf(made, outputs, bytes, texts)) : summaryLines(made, outputs),
     output,
   )
+}
+
+/** Reads the preset, if any, and replaces its values by the options that are given. */
+async function presetOf({ preset, age, strength, symmetry, seed, regions }: Options): Promise<AutoPreset> {
+  const read = preset === undefined ? {} : parseAutoPreset(await readJson(preset, WHO, 'the preset'), WHO)
+  const given = { age, strength, symmetry, seed, regions }
+  return { ...read, ...Object.fromEntries(Object.entries(given).filter(([, value]) => value !== undefined)) }
+}
+
+/** Formats the values of regions: `crowsFeet 0.5, chin 2`. */
+function valuesText(values: object): string {
+  return Object.entries(values)
+    .map(([region, value]) => `${region} ${value}`)
+    .join(', ')
 }
 
 /** Throws early if maps of this size and number would exceed the limit of the KTX 2 encoder. */

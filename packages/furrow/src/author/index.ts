@@ -6,7 +6,13 @@
 
 export { combineNormals } from '../core/normals/combine-normals.ts'
 export type { GrayImage, RgbaImage } from '../core/types.ts'
-export { AUTO_REGIONS, type AutoRegion } from './auto/anatomy/region-names.ts'
+export {
+  AUTO_REGIONS,
+  type AutoRegion,
+  type AutoSide,
+  DENSE_REGIONS,
+  type DenseRegion,
+} from './auto/anatomy/region-names.ts'
 export {
   type AutoArea,
   type AutoProgress,
@@ -16,6 +22,7 @@ export {
 } from './auto/auto.ts'
 export { CLOTH_KINDS, type ClothKind } from './auto/cloth/cloth-kinds.ts'
 export { AUTO_DEFAULTS, type AutoOptions } from './auto/options.ts'
+export { type AutoPreset, parseAutoPreset } from './auto/preset.ts'
 export type { AutoLayer } from './auto/raster/draw-maps.ts'
 export { autoWrinkleSet } from './auto/wrinkle-set.ts'
 export { BAKE_DEFAULTS, type BakedMaps, type BakeOptions, type BakeSource, bakeMaps } from './bake/bake.ts'

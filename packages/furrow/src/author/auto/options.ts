@@ -2,7 +2,14 @@ import { FurrowError } from '../../core/error.ts'
 import { MAX_IMAGE_SIDE, MAX_LAYERS } from '../../core/limits.ts'
 import { checkOptionNames, didYouMean } from '../../core/nearest-name.ts'
 import type { TangentFrame } from '../normals/height-to-normal.ts'
-import { AUTO_REGIONS, type AutoRegion } from './anatomy/region-names.ts'
+import {
+  AUTO_REGIONS,
+  AUTO_SIDES,
+  type AutoRegion,
+  type AutoSide,
+  DENSE_REGIONS,
+  type DenseRegion,
+} from './anatomy/region-names.ts'
 import { CLOTH_KINDS, type ClothKind } from './cloth/cloth-kinds.ts'
 
 /** Options of `autoWrinkles`; `AUTO_DEFAULTS` has the constant defaults. */
@@ -22,6 +29,13 @@ export interface AutoOptions {
   seed?: number
   /** Seeds that replace `seed` in single regions. The seed of `foreheadInner` applies to the whole forehead. */
   seeds?: Readonly<Partial<Record<AutoRegion, number>>>
+  /**
+   * Factors on the depth in single regions, 0..2, in addition to `strength`. The keys are regions, or halves of regions such as
+   * `crowsFeetLeft`, which take precedence. Between the regions of the forehead, which share lines, the depth changes smoothly.
+   */
+  strengths?: Readonly<Partial<Record<AutoSide, number>>>
+  /** Factors on the number of lines in single regions, 0.5..2. The factor of `foreheadInner` applies to the whole forehead. */
+  densities?: Readonly<Partial<Record<DenseRegion, number>>>
   /**
    * How much the right side of a face mirrors the left side, 0..1. At 0, the sides differ as in people. At 1, the lines of a symmetric face are
    * symmetric.
@@ -48,6 +62,8 @@ export const AUTO_DEFAULTS = {
   size: 1024,
   areaSize: 128,
   seeds: {},
+  strengths: {},
+  densities: {},
   symmetry: 0,
   layers: 4,
   areas: 24,
@@ -69,7 +85,14 @@ const RANGES = {
 } as const satisfies Partial<Record<keyof AutoOptions, readonly [number, number]>>
 
 /** Options that need not be integers. */
-const FRACTIONS: readonly string[] = ['age', 'strength', 'symmetry']
+const FRACTIONS: readonly string[] = ['age', 'strength', 'symmetry', 'density']
+
+/** Options with a value for each of several regions: name of a value, allowed keys, minimum and maximum. */
+const BY_REGION = {
+  seeds: ['seed', AUTO_REGIONS, RANGES.seed],
+  strengths: ['strength', AUTO_SIDES, RANGES.strength],
+  densities: ['density', DENSE_REGIONS, [0.5, 2]],
+} as const satisfies Partial<Record<keyof AutoOptions, readonly unknown[]>>
 
 /**
  * Checks the options of `autoWrinkles`.
@@ -84,9 +107,11 @@ export function checkAutoOptions(options: AutoOptions, who: string): void {
     if (value !== undefined) checkNumber(value, name, range, who)
   }
   if (options.cloth !== undefined) checkName(options.cloth, CLOTH_KINDS, 'kind of cloth', who)
-  for (const [region, seed] of Object.entries(options.seeds ?? {})) {
-    checkName(region, AUTO_REGIONS, 'region', who)
-    checkNumber(seed, 'seed', RANGES.seed, who)
+  for (const [option, [name, regions, range]] of Object.entries(BY_REGION)) {
+    for (const [region, value] of Object.entries(options[option as keyof typeof BY_REGION] ?? {})) {
+      checkName(region, regions, 'region', who)
+      checkNumber(value, name, range, who)
+    }
   }
   for (const region of options.regions ?? []) checkName(region, AUTO_REGIONS, 'region', who)
 }

@@ -35,7 +35,7 @@ const LID_OPENING = 9
 
 /** Returns the region of crow's feet, where the ring muscle around the eye (orbicularis oculi) folds the skin into a fan of lines. */
 export function crowsFeet(
-  { ageFraction, byAge, openingOf, rngOf }: FaceContext,
+  { ageFraction, byAge, densityOf, openingOf, rngOf }: FaceContext,
   side: Side,
   name: string,
 ): FaceRegion {
@@ -74,6 +74,7 @@ export function crowsFeet(
       const distance = length2(...fromCentre(point))
       return dermisAt(lerp(DERMIS.lid, DERMIS.temple, Math.min(1, distance / TEMPLE_DISTANCE)), ageFraction)
     },
+    density: densityOf('crowsFeet'),
     pull: pullAround([side * centre, up]),
     variation: { thickness: 0.16, critical: 0.3, size: 5 },
     noise: rng.film(),
@@ -89,7 +90,7 @@ export function crowsFeet(
     name: `crowsFeet${name}`,
     cause: { [`eyeSquint${name}`]: 0.6, [`cheekSquint${name}`]: 1, [`mouthSmile${name}`]: 0.6 },
     film,
-    spacing: filmWavelength(dermisAt(lerp(DERMIS.lid, DERMIS.temple, 0.25), ageFraction)),
+    spacing: filmWavelength(dermisAt(lerp(DERMIS.lid, DERMIS.temple, 0.25), ageFraction)) / film.density,
     creasedFraction: byAge(0.42, 0.85),
     maxDepth: byAge(0.47, 0.72),
     atRest: 0.66,

@@ -30,7 +30,7 @@ const OUTER_EDGE = [1.4, 0.3] as const
  * Returns the regions of the forehead, where the frontalis muscle raises the brows and shortens the skin. The folds dip between the brows and
  * arch over each brow. The two ends of each brow can rise separately, so each of four areas shows a part of the same folds.
  */
-export function forehead({ landmarks, ageFraction, byAge, rngOf }: FaceContext): FaceRegion[] {
+export function forehead({ landmarks, ageFraction, byAge, densityOf, rngOf }: FaceContext): FaceRegion[] {
   const inner = chartPointOf(landmarks.innerBrow)
   const outer = chartPointOf(landmarks.outerBrow)
   const brow = (inner[1] + outer[1]) / 2
@@ -70,6 +70,7 @@ export function forehead({ landmarks, ageFraction, byAge, rngOf }: FaceContext):
       )
     },
     thickness: () => thickness,
+    density: densityOf('foreheadInner'),
     pull: ([across, up]) => {
       const [, slope] = dropAt(across, up)
       return unit2(slope, 1)
@@ -92,7 +93,7 @@ export function forehead({ landmarks, ageFraction, byAge, rngOf }: FaceContext):
         : { [`browOuterUp${sideName}`]: 1, browInnerUp: 0.4 },
     expression: { browInnerUp: 1, browOuterUpLeft: 1, browOuterUpRight: 1 },
     film,
-    spacing: filmWavelength(thickness),
+    spacing: filmWavelength(thickness) / film.density,
     creasedFraction: byAge(0.45, 0.9),
     maxDepth: byAge(0.8, 1.35),
     atRest: 0.3,

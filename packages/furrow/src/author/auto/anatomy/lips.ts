@@ -57,13 +57,13 @@ export function lips(context: FaceContext): FaceRegion[] {
 }
 
 /** @param away 1 for lines that run upwards from the upper lip, -1 for lines that run downwards from the lower lip. */
-function lip(context: FaceContext, name: string, away: 1 | -1): FaceRegion {
-  const { landmarks, byAge, rngOf } = context
+function lip(context: FaceContext, name: 'upperLip' | 'lowerLip', away: 1 | -1): FaceRegion {
+  const { landmarks, byAge, densityOf, rngOf } = context
   const rng = rngOf(name)
   const [corner] = chartPointOf(landmarks.mouthCorner)
   const border = away > 0 ? upperBorder(context) : lowerBorder(context)
   const { counts, inside, lengths, depths, innermost } = away > 0 ? UPPER : LOWER
-  const lines = Math.round(byAge(...counts) + rng.jitter(1))
+  const lines = Math.round(densityOf(name) * (byAge(...counts) + rng.jitter(1)))
   const draw = (rng: FaceRng, i: number): Guide => {
     const place = (2 * (i + 0.5 + rng.across(0.42))) / lines - 1
     const across = Math.sign(place) * corner * lerp(innermost, OUTERMOST, power(Math.abs(place), CROWDING))

@@ -16,7 +16,7 @@ const BORDER = 7
 
 /** Returns the region below the lower lid: skin that the cheek and the ring muscle around the eye (orbicularis oculi) push up. */
 export function lowerLid(
-  { ageFraction, byAge, openingOf, rngOf }: FaceContext,
+  { ageFraction, byAge, densityOf, openingOf, rngOf }: FaceContext,
   side: Side,
   name: string,
 ): FaceRegion {
@@ -55,6 +55,7 @@ export function lowerLid(
       )
     },
     thickness: () => thickness,
+    density: densityOf('underEye'),
     pull: ([across]) => unit2(-side * marginAt(side * across)[1], 1),
     variation: { thickness: 0.16, critical: 0.2, size: 5 },
     noise: rng.film(),
@@ -64,7 +65,7 @@ export function lowerLid(
     name: `underEye${name}`,
     cause: { [`eyeSquint${name}`]: 1, [`cheekSquint${name}`]: 0.7 },
     film,
-    spacing: filmWavelength(thickness),
+    spacing: filmWavelength(thickness) / film.density,
     creasedFraction: byAge(0.5, 0.85),
     maxDepth: byAge(0.2, 0.4),
     atRest: 0.5,

@@ -32,7 +32,7 @@ export function nose(context: FaceContext): FaceRegion[] {
 }
 
 function bunnyLines(
-  { ageFraction, byAge, openingOf, rngOf }: FaceContext,
+  { ageFraction, byAge, densityOf, openingOf, rngOf }: FaceContext,
   side: Side,
   name: string,
 ): FaceRegion {
@@ -59,6 +59,7 @@ function bunnyLines(
       )
     },
     thickness: () => thickness,
+    density: densityOf('nose'),
     pull: pullAround([side * corner, up], FLATTENING),
     variation: { thickness: 0.25, critical: 0.25, size: 5 },
     noise: rngOf(`nose${name}`).film(),
@@ -68,7 +69,7 @@ function bunnyLines(
     name: `nose${name}`,
     cause: { [`noseSneer${name}`]: 1 },
     film,
-    spacing: filmWavelength(thickness),
+    spacing: filmWavelength(thickness) / film.density,
     creasedFraction: byAge(0.45, 0.85),
     maxDepth: byAge(0.3, 0.55),
     atRest: 0.15,

@@ -6,6 +6,7 @@ import type { FilmNoise } from '../buckling/film-noise.ts'
 import { type ChartPoint, unroll } from '../surface/head-chart.ts'
 import type { LandmarkPosition, Landmarks } from '../surface/landmarks.ts'
 import type { FaceRng } from './face-rng.ts'
+import type { DenseRegion } from './region-names.ts'
 
 /** Cross-section of a wrinkle line, and how the line fades at its ends. */
 export interface LineStyle {
@@ -78,6 +79,8 @@ export interface SkinFilm {
   weight(point: ChartPoint): number
   /** Returns the thickness of the dermis at a point, in millimetres. */
   thickness(point: ChartPoint): number
+  /** Factor on the number of folds. */
+  density: number
   /** Returns the unit direction of the muscle's pull at a point, on the head's chart. */
   pull(point: ChartPoint): ChartPoint
   /**
@@ -128,6 +131,8 @@ export interface FaceContext {
   motionOf(expression: Readonly<Record<string, number>>): (point: ChartPoint) => ChartPoint
   /** Returns the opening of an eye (see `eyeOpening`), which is computed once. */
   openingOf(side: Side): EyeOpening
+  /** Returns the factor on the number of lines of a region; see `AutoOptions`. */
+  densityOf(region: DenseRegion): number
   /** Returns a random number generator for one part of the face; see `FaceRng.of`. */
   rngOf(name: string): FaceRng
 }

@@ -1,4 +1,5 @@
 import type { MissingRegion } from '../fit/fit-driver.ts'
+import { regionStrength, type Strengths } from '../lines/region-strengths.ts'
 import { faceContext, type RegionSettings } from '../strain/face-strain.ts'
 import type { DetectedFace } from '../surface/detect-face.ts'
 import type { BulgeRegion } from './bulge-region.ts'
@@ -20,6 +21,8 @@ export interface BulgeSettings extends RegionSettings {
   ageFraction: number
   /** Factor on the heights. */
   strength: number
+  /** Factors on the heights in single regions. */
+  strengths: Strengths
   /** Number of layers for lines and bulges. */
   layers: number
 }
@@ -27,9 +30,11 @@ export interface BulgeSettings extends RegionSettings {
 /** Chooses and lays the bulges of a face. */
 export function planBulges(
   skin: BulgingSkin & { face: DetectedFace; isMirrored: boolean },
-  { ageFraction, strength, layers, ...settings }: BulgeSettings,
+  { ageFraction, strength, strengths, layers, ...settings }: BulgeSettings,
 ): PlannedBulges {
-  const both = bulgeRegions(faceContext(skin.face, ageFraction, settings), settings.regions)
+  const both = bulgeRegions(faceContext(skin.face, ageFraction, settings), settings.regions).map((region) =>
+    scaled(region, regionStrength(strengths, region.name)),
+  )
   const regions = skin.isMirrored ? leftAlone(both) : both
   if (layers <= LINE_LAYERS) {
     const reason = `it needs a separate layer, beside ${LINE_LAYERS} with lines`
@@ -37,6 +42,11 @@ export function planBulges(
   }
   const { laid, missing } = layBulges(skin, regions, strength)
   return { bulges: laid, missing }
+}
+
+/** Multiplies the heights of a region by a factor. */
+function scaled({ name, lines }: BulgeRegion, factor: number): BulgeRegion {
+  return { name, lines: lines.map((line) => ({ ...line, height: factor * line.height })) }
 }
 
 /** Keeps the left regions of a face whose halves share texels. They show on both sides. */

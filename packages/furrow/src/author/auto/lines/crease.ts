@@ -8,6 +8,7 @@ import { bankReaches } from './bank-reaches.ts'
 import { creaseDepth } from './crease-depth.ts'
 import { type DepthVariation, depthVariations } from './depth-variation.ts'
 import { keptRuns, type LaidLine } from './laid-line.ts'
+import type { Strengths } from './region-strengths.ts'
 import { type StrokedSkin, strokeOf, uvAt } from './stroke-of.ts'
 
 /** Lines of a region, in several forms. */
@@ -34,6 +35,8 @@ export interface LineSettings {
   ageFraction: number
   /** Factor on the depth. */
   strength: number
+  /** Factors on the depth in single regions. */
+  strengths: Strengths
   seed: number
   /** Symmetry of the face's lines, 0..1; see `AutoOptions`. */
   symmetry: number

@@ -1,8 +1,10 @@
+import type { FaceRegion } from '../anatomy/region.ts'
 import type { StrainedRegion } from '../strain/face-strain.ts'
 import type { DetectedFace } from '../surface/detect-face.ts'
 import { type CreasedRegion, creaseLines, type LineSettings, type RegionCreases } from './crease.ts'
 import { layFilm } from './film-lines.ts'
 import { layGuides } from './guided-lines.ts'
+import { applyStrengths } from './region-strengths.ts'
 import type { StrokedSkin } from './stroke-of.ts'
 
 /**
@@ -15,19 +17,29 @@ export function layFaceLines(
   prepared: StrokedSkin,
   face: Pick<DetectedFace, 'surface' | 'chart'>,
   regions: readonly StrainedRegion[],
-  settings: Pick<LineSettings, 'strength' | 'symmetry'>,
+  settings: Pick<LineSettings, 'strength' | 'strengths' | 'symmetry'>,
   report: (fraction: number) => void,
 ): CreasedRegion[] {
   const known = new Map<unknown, RegionCreases>()
   return regions.map(({ region, tensors }, i): CreasedRegion => {
     const ofRegion = (fraction: number) => report((i + fraction) / regions.length)
-    const source = 'film' in region ? region.film : region.guides
-    const lay = () =>
-      'film' in region
-        ? layFilm(face, region, tensors, ofRegion)
-        : layGuides(face.surface, face.chart, region.guides, tensors)
-    const creased = known.get(source) ?? creaseLines(prepared, region, lay(), settings)
+    const source = sourceOf(region)
+    const crease = () => {
+      const laid =
+        'film' in region
+          ? layFilm(face, region, tensors, ofRegion)
+          : layGuides(face.surface, face.chart, region.guides, tensors)
+      const sharing = regions.flatMap(({ region: other }) => (sourceOf(other) === source ? other : []))
+      const { lines, factor } = applyStrengths(laid, sharing, settings.strengths)
+      return creaseLines(prepared, region, lines, { ...settings, strength: settings.strength * factor })
+    }
+    const creased = known.get(source) ?? crease()
     known.set(source, creased)
     return { region, ...creased }
   })
+}
+
+/** Returns the object from which a region's lines are made. */
+function sourceOf(region: FaceRegion): unknown {
+  return 'film' in region ? region.film : region.guides
 }

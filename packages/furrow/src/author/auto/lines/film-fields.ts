@@ -42,7 +42,11 @@ export function filmFields(samples: ChartSamples, film: SkinFilm, tensors: Float
   const { variation, noise } = film
   const onHead = Array.from(chart.points, (point) => unrollPoint(chart.surface.points, point))
   const weight = sampleValues(samples, onHead.map(film.weight))
-  const thickness = sampleValues(samples, onHead.map(film.thickness))
+  // Thinner films fold into more wrinkles.
+  const thickness = sampleValues(
+    samples,
+    onHead.map((point) => film.thickness(point) / film.density),
+  )
   const pull = samplePull(samples, film)
   const compression = sampleTensors(samples, tensors)
   turnToPull(compression, pull, weight)

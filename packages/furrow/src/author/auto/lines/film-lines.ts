@@ -13,7 +13,7 @@ import { type FilmFields, filmFields } from './film-fields.ts'
 import { keptRuns, type LaidLine } from './laid-line.ts'
 import { STEP } from './trace.ts'
 
-/** Distance between samples of the film in millimetres. Wrinkles of the thinnest skin are about three samples wide. */
+/** Maximum distance between samples of the film in millimetres. Wrinkles of the thinnest skin are about three samples wide. */
 const SPACING = 1.5
 /** Minimum distance between the skin and its periodic copy in millimetres. */
 const MARGIN = 8
@@ -71,7 +71,7 @@ function foldFilm(
   }
   const chart = flatChart(surface, (point) => isFolding(surface, head, film, point), positionOnHead)
   if (!chart) return undefined
-  const samples = sampleChart(chart, SPACING, MARGIN)
+  const samples = sampleChart(chart, SPACING / Math.max(1, film.density), MARGIN)
   const fields = filmFields(samples, film, tensors)
   const limits = { minWeight: MIN_WEIGHT, minLength: MIN_LENGTH * spacing }
   const valleys = foldValleys(samples, fields, { creasedFraction, noise: film.noise, ...limits }, report)

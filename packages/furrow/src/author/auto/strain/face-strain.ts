@@ -4,7 +4,7 @@ import { barycentricsAt } from '../../skin/walk.ts'
 import { eyeOpening } from '../anatomy/eye-opening.ts'
 import { FaceRng } from '../anatomy/face-rng.ts'
 import type { EyeOpening, FaceContext, FaceRegion, Side } from '../anatomy/region.ts'
-import type { AutoRegion } from '../anatomy/region-names.ts'
+import type { AutoRegion, DenseRegion } from '../anatomy/region-names.ts'
 import { faceRegions } from '../anatomy/regions.ts'
 import type { DetectedFace } from '../surface/detect-face.ts'
 import { type ChartPoint, unroll } from '../surface/head-chart.ts'
@@ -23,10 +23,11 @@ export interface StrainedRegion {
   tensors: Float64Array
 }
 
-/** Requested regions, random seeds and symmetry; see `AutoOptions`. */
+/** Requested regions, their random seeds and numbers of lines, and symmetry; see `AutoOptions`. */
 export interface RegionSettings {
   seed: number
   seeds: Readonly<Partial<Record<AutoRegion, number>>>
+  densities: Readonly<Partial<Record<DenseRegion, number>>>
   symmetry: number
   regions: readonly AutoRegion[]
 }
@@ -45,7 +46,7 @@ function regionOf(name: string): AutoRegion {
 export function faceContext(
   { landmarks, chart, surface, offsets, find }: DetectedFace,
   ageFraction: number,
-  { seed, seeds, symmetry }: Pick<RegionSettings, 'seed' | 'seeds' | 'symmetry'>,
+  { seed, seeds, densities, symmetry }: Omit<RegionSettings, 'regions'>,
 ): FaceContext {
   const radiusAt = (point: ChartPoint) => chart.radiusAt(point)
   const openings = new Map<Side, EyeOpening>()
@@ -69,6 +70,7 @@ export function faceContext(
       }
     },
     byAge: (at20: number, at80: number) => lerp(at20, at80, ageFraction),
+    densityOf: (region) => densities[region] ?? 1,
     rngOf: (name: string) => FaceRng.of(seeds[regionOf(name)] ?? seed, name, symmetry),
   }
 }
