@@ -61,6 +61,14 @@ export {
 } from '../src/author/strokes/edit/curve-in-space.ts'
 export { detachStroke } from '../src/author/strokes/edit/detach.ts'
 export { type Fork, findForks } from '../src/author/strokes/edit/forks.ts'
+export {
+  grabPoint,
+  grabStroke,
+  grabWeights,
+  heldEnds,
+  stepTo,
+  withPoint,
+} from '../src/author/strokes/edit/grab.ts'
 export { type MirrorPlane, mirrorStroke } from '../src/author/strokes/edit/mirror.ts'
 export {
   type ChangedStrokes,
@@ -69,7 +77,6 @@ export {
   moveFork,
   pullBranches,
   withForkPoints,
-  withPoint,
 } from '../src/author/strokes/edit/move-forks.ts'
 export { splineOf } from '../src/author/strokes/edit/spline-of.ts'
 export { type StrokeLine, StrokeLines } from '../src/author/strokes/edit/stroke-lines.ts'
