@@ -123,6 +123,7 @@ export const LINE = {
   bank: 'Bulge width, mm',
   lean: 'Overhang',
   taper: 'Fading ends',
+  reach: 'Reach, mm',
   group: 'Region',
   layer: 'Layer',
   smooth: 'Smooth',
@@ -130,6 +131,7 @@ export const LINE = {
   mirror: 'Copy to the other side',
   detach: 'Detach',
   remove: 'Delete line',
+  removeLines: 'Delete lines',
   removePoint: 'Delete point',
 } as const
 
@@ -169,6 +171,11 @@ const REGION_NAMES: Readonly<Record<string, string>> = {
 function splitSide(name: string): [stem: string, side: string] {
   const side = name.match(/(?<=.)(Left|Right)$/)?.[0] ?? ''
   return [name.slice(0, name.length - side.length), side]
+}
+
+/** Returns the label of several chosen lines: `3 lines`. */
+export function linesLabel(count: number): string {
+  return `${count} lines`
 }
 
 /** Returns the label of an expression: `Left brow` for `leftBrow`. */

@@ -32,6 +32,8 @@ export interface LineStage {
 /** Pointer tool for wrinkle lines: chooses lines, moves their points and forks, and draws new lines. */
 export class LineTool implements StageTool {
   hovered: LayerStroke | null = null
+  /** Index of the handle under the pointer, or -1. */
+  hoveredPoint = -1
   /** Pointer path of the line that the user is drawing, CSS pixels. */
   path: { x: number; y: number }[] = []
   readonly #editor: LineEditor
@@ -41,6 +43,8 @@ export class LineTool implements StageTool {
   #isChanged = false
   /** Gesture that changes the depth of the chosen line, or null. */
   #depth: DepthDrag | null = null
+  /** Line under the pointer at the start of a gesture in the mode `select`, or null. */
+  #pressed: LayerStroke | null = null
   /** Lines that the current gesture has smoothed. */
   readonly #touched = new Set<number>()
 
@@ -90,6 +94,9 @@ export class LineTool implements StageTool {
     this.#forgetPath()
     if (points.length >= 2) this.#editor.draw(points)
     this.#editor.settle()
+    // A drag changes all chosen lines, but a click chooses only one.
+    if (this.#pressed && !this.#isChanged) this.#editor.choose(this.#pressed)
+    this.#pressed = null
     this.#isChanged = false
     this.#depth = null
     this.#touched.clear()
@@ -98,6 +105,7 @@ export class LineTool implements StageTool {
   cancel(): void {
     this.#forgetPath()
     this.#depth = null
+    this.#pressed = null
     this.#touched.clear()
     if (!this.#isChanged) return
     this.#editor.settle()
@@ -110,8 +118,10 @@ export class LineTool implements StageTool {
     const found = pointer && mode !== 'draw' ? this.#lineAt(pointer)?.stroke : undefined
     if (mode === 'select')
       this.#stage.onSkin?.(found || !pointer ? null : (this.#stage.picker?.pick(pointer.ray) ?? null))
-    if ((found ?? null) === this.hovered) return
+    const point = pointer && mode === 'edit' ? this.#handleAt(pointer) : -1
+    if ((found ?? null) === this.hovered && point === this.hoveredPoint) return
     this.hovered = found ?? null
+    this.hoveredPoint = point
     this.#stage.onChange()
   }
 
@@ -123,11 +133,16 @@ export class LineTool implements StageTool {
     this.#editor.settle()
   }
 
-  /** Chooses the line at the pointer, and begins to change its depth. */
+  /** Chooses the line at the pointer, and begins to change the depth of the chosen lines. With Shift, adds or removes the line. */
   #grab(pointer: StagePointer): boolean {
     const hit = this.#lineAt(pointer)
     if (!hit) return false
-    this.#editor.choose(hit.stroke)
+    if (pointer.shift) {
+      this.#editor.toggle(hit.stroke)
+      return true
+    }
+    if (!this.#editor.allChosen.peek().includes(hit.stroke)) this.#editor.choose(hit.stroke)
+    this.#pressed = hit.stroke
     const line = this.#stage.lines.find(({ stroke }) => stroke === hit.stroke)
     if (line) this.#depth = new DepthDrag(pointer, hit.stroke.depth, acrossLine(line, hit.along))
     return true
@@ -168,7 +183,8 @@ export class LineTool implements StageTool {
     if (!hit) return false
     const fork = this.#forkAt(pointer)
     if (hit.stroke !== this.#editor.chosen.peek()) {
-      if (fork) this.#editor.chooseFork(fork)
+      if (pointer.shift) this.#editor.toggle(hit.stroke)
+      else if (fork) this.#editor.chooseFork(fork)
       else this.#editor.choose(hit.stroke)
     } else if (pointer.shift) {
       this.#editor.insertPoint(hit.along)
@@ -177,13 +193,13 @@ export class LineTool implements StageTool {
     return true
   }
 
-  /** Moves the chosen point to the pointer, unless the pointer is off the skin. */
+  /** Moves the chosen point to the pointer, unless the pointer is off the skin. With Alt, the point moves alone. */
   #moveTo(pointers: readonly StagePointer[]): void {
     const last = pointers.at(-1)
     if (!last || this.#editor.point.peek() < 0) return
     const hit = this.#stage.picker?.pick(last.ray)
     if (!hit) return
-    this.#editor.movePoint(hit.uv)
+    this.#editor.movePoint(hit.uv, last.alt)
     this.#isChanged = true
   }
 

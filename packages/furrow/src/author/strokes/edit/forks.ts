@@ -145,7 +145,8 @@ function normalOf(line: StrokeLine, i: number, { surface }: LocatedSkin): Float6
   return normal
 }
 
-function pointAt({ points }: StrokeLine, i: number): Float64Array {
+/** Returns xyz of a point of a line. */
+export function pointAt({ points }: StrokeLine, i: number): Float64Array {
   return points.subarray(3 * i, 3 * i + 3)
 }
 

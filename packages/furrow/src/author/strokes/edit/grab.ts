@@ -1,5 +1,5 @@
 import type { Stroke, Uv } from '../document.ts'
-import type { Fork } from './forks.ts'
+import { type Fork, pointAt } from './forks.ts'
 import type { ForkedStrokes } from './move-forks.ts'
 import { moveOver, placeAt } from './over-skin.ts'
 import { splineOf } from './spline-of.ts'
@@ -42,13 +42,12 @@ export function heldEnds(forks: readonly Fork[], index: number, moved?: Fork | n
 }
 
 /**
- * Returns the vector by which a point of a stroke moves to a position.
+ * Returns the vector from a position to UV coordinates, in millimetres. Returns null if there is no skin at the UV coordinates.
  *
- * @returns millimetres, or null if the point or the position is outside the skin.
+ * @param from xyz, millimetres.
  */
-export function stepTo(stroke: Stroke, knot: number, uv: Uv, { skin }: StrokeLines): Float64Array | null {
-  const [from, to] = [placeAt(splineOf(stroke, skin).points[knot], skin), placeAt(uv, skin)]
-  return from && to ? to.position.map((value, k) => value - from.position[k]) : null
+export function stepTo(from: ArrayLike<number>, uv: Uv, { skin }: StrokeLines): Float64Array | null {
+  return placeAt(uv, skin)?.position.map((value, k) => value - from[k]) ?? null
 }
 
 /**
@@ -91,7 +90,7 @@ export function grabPoint<S extends Stroke>(
 ): S {
   const stroke = strokes[index]
   const line = lines.lineOf(stroke)
-  const step = radius > 0 ? stepTo(stroke, knot, uv, lines) : null
+  const step = line && radius > 0 ? stepTo(pointAt(line, line.knots[knot]), uv, lines) : null
   if (!line || !step) return withPoint(stroke, knot, uv, lines)
   const weights = grabWeights(line, knot, radius, heldEnds(forks, index, moved))
   return withPoint(grabStroke(stroke, step, weights, lines), knot, uv, lines)
