@@ -148,7 +148,7 @@ test('the reasons shown for the area under the mouse follow the face', async () 
 
 test('a tab tells when a region shows: its expressions, whose pictures play them, and its strongest drivers', async () => {
   const shown = page.getByRole('group', { name: 'Expressions that show it' })
-  const [first] = await shown.getByRole('button').all()
+  const first = shown.getByRole('button').first()
   await first.click()
   await expect.poll(activationShown, { timeout: 60_000 }).toBeGreaterThan(0.2)
   expect(await first.getAttribute('aria-pressed')).toBe('true')

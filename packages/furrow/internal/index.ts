@@ -78,6 +78,7 @@ export {
   pullBranches,
   withForkPoints,
 } from '../src/author/strokes/edit/move-forks.ts'
+export { moveOver, placeAt } from '../src/author/strokes/edit/over-skin.ts'
 export { splineOf } from '../src/author/strokes/edit/spline-of.ts'
 export { type StrokeLine, StrokeLines } from '../src/author/strokes/edit/stroke-lines.ts'
 export { traceStroke, uvOf } from '../src/author/strokes/edit/traced-stroke.ts'

@@ -33,6 +33,8 @@ const SMOOTHING = 0.8
 /** Range of `LineEditor.reach`, and its default, millimetres. */
 export const REACH_RANGE = [0, 60] as const
 const REACH = 15
+/** Minimum distance from all points at which a dragged line gets a new point, millimetres. It also depends on the reach. */
+const NEAR = 4
 /** Change of `LineEditor.reach` per key press, millimetres. */
 const REACH_STEP = 2.5
 
@@ -115,6 +117,11 @@ export class LineEditor {
     this.#counterparts.forget()
   }
 
+  /** Makes a chosen line the main one, whose points can be moved. */
+  makeMain(stroke: LayerStroke): void {
+    this.#selection.makeMain(stroke)
+  }
+
   /** Chooses a fork and a line at it: the fork's trunk, or a line that ends at the fork if there is no trunk. */
   chooseFork(fork: Fork): void {
     this.#selection.chooseFork(fork)
@@ -142,11 +149,22 @@ export class LineEditor {
    * @param isAlone whether no neighbouring points move, whatever `reach` is.
    */
   movePoint(uv: Uv, isAlone = false): void {
+    this.#moveTo(() => uv, isAlone)
+  }
+
+  /** Moves the chosen point like `movePoint`, by the motion of the pointer from one place to another. */
+  dragPoint(from: Uv, to: Uv, isAlone = false): void {
+    this.#moveTo((move) => move.follow(from, to), isAlone)
+  }
+
+  #moveTo(target: (move: PointMove) => Uv | null, isAlone: boolean): void {
     const [{ handle, indices }, surface] = [this.#selection, this.#surface()]
     const document = this.session.document.peek()
     if (!handle || !surface || !document) return
     if (this.#move?.last !== document.strokes)
       this.#move = new PointMove(document.strokes, indices, handle, surface.lines)
+    const uv = target(this.#move)
+    if (!uv) return
     const changed = this.#withCounterparts(this.#move.to(uv, isAlone ? 0 : this.reach.peek()), document)
     this.#moved = new Set(changed.keys())
     this.session.edit(this.#move.label, (old) => replaceStrokes(old, changed), this.#keyOf('points'))
@@ -170,6 +188,17 @@ export class LineEditor {
       'points',
     )
     if (index >= 0) this.point.value = this.handles.peek().findIndex(({ knot }) => knot === index)
+  }
+
+  /** Chooses the handle of the main line that is nearest to a place. If none is near, adds a point there. @param along place on the line, 0..1. */
+  choosePointNear(along: number): void {
+    const line = this.chosen.peek() && this.#surface()?.lines.lineOf(this.chosen.peek()!)
+    if (!line) return
+    const total = line.lengths[line.lengths.length - 1]
+    const apart = this.handles.peek().map(({ place }) => Math.abs(line.lengths[place] - along * total))
+    const least = Math.min(...apart)
+    if (least <= Math.max(this.reach.peek() / 2, NEAR)) this.point.value = apart.indexOf(least)
+    else this.insertPoint(along)
   }
 
   /** Removes the chosen point. Removes the chosen lines if no point is chosen, or if the line has only two points. */

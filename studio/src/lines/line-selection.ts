@@ -80,6 +80,12 @@ export class LineSelection {
     this.chooseIndices(others.length < this.indices.length ? others : [index, ...others])
   }
 
+  /** Makes a chosen line the main one. */
+  makeMain(stroke: LayerStroke): void {
+    const index = this.#indexOf(stroke)
+    this.chooseIndices([index, ...this.indices.filter((each) => each !== index)])
+  }
+
   /** Chooses a fork and a line at it: the fork's trunk, or a line that ends at the fork if there is no trunk. */
   chooseFork(fork: Fork): void {
     const [{ stroke }] = [...fork.trunks, ...fork.ends]

@@ -1,3 +1,4 @@
+import type { Uv } from 'furrow/author'
 import type { LayerStroke } from '../document/document.ts'
 import type { LineEditor } from '../lines/line-editor.ts'
 import {
@@ -14,6 +15,8 @@ import { acrossLine, DepthDrag } from './depth-drag.ts'
 
 /** Maximum distance at which the pointer hits a line, CSS pixels. */
 const ON_LINE = 8
+/** Distance that the pointer must move before a line is dragged, CSS pixels. */
+const THRESHOLD = 4
 /** Maximum distance at which the pointer hits a point of the chosen line, or a fork, CSS pixels. */
 const ON_POINT = 10
 
@@ -43,7 +46,9 @@ export class LineTool implements StageTool {
   #isChanged = false
   /** Gesture that changes the depth of the chosen line, or null. */
   #depth: DepthDrag | null = null
-  /** Line under the pointer at the start of a gesture in the mode `select`, or null. */
+  /** Start of a gesture on a line between its points, or null. `along` is the place on the line. */
+  #between: { x: number; y: number; along: number; uv: Uv } | null = null
+  /** Line that a click chooses alone. A drag changes all chosen lines. */
   #pressed: LayerStroke | null = null
   /** Lines that the current gesture has smoothed. */
   readonly #touched = new Set<number>()
@@ -94,9 +99,9 @@ export class LineTool implements StageTool {
     this.#forgetPath()
     if (points.length >= 2) this.#editor.draw(points)
     this.#editor.settle()
-    // A drag changes all chosen lines, but a click chooses only one.
     if (this.#pressed && !this.#isChanged) this.#editor.choose(this.#pressed)
     this.#pressed = null
+    this.#between = null
     this.#isChanged = false
     this.#depth = null
     this.#touched.clear()
@@ -106,6 +111,7 @@ export class LineTool implements StageTool {
     this.#forgetPath()
     this.#depth = null
     this.#pressed = null
+    this.#between = null
     this.#touched.clear()
     if (!this.#isChanged) return
     this.#editor.settle()
@@ -182,24 +188,39 @@ export class LineTool implements StageTool {
     const hit = this.#lineAt(pointer)
     if (!hit) return false
     const fork = this.#forkAt(pointer)
-    if (hit.stroke !== this.#editor.chosen.peek()) {
+    const all = this.#editor.allChosen.peek()
+    if (all.length > 1 && all.includes(hit.stroke) && !pointer.shift) this.#pressed = hit.stroke
+    if (hit.stroke !== all[0]) {
       if (pointer.shift) this.#editor.toggle(hit.stroke)
+      else if (this.#pressed) this.#editor.makeMain(hit.stroke)
       else if (fork) this.#editor.chooseFork(fork)
       else this.#editor.choose(hit.stroke)
     } else if (pointer.shift) {
       this.#editor.insertPoint(hit.along)
       this.#isChanged = true
     } else this.#editor.point.value = -1
+    const uv = this.#stage.picker?.pick(pointer.ray)?.uv
+    if (uv && !pointer.shift && this.#editor.point.peek() < 0)
+      this.#between = { x: pointer.x, y: pointer.y, along: hit.along, uv }
     return true
   }
 
-  /** Moves the chosen point to the pointer, unless the pointer is off the skin. With Alt, the point moves alone. */
+  /**
+   * Moves the chosen point to the pointer, unless the pointer is off the skin. With Alt, the point moves alone. If the gesture began between points
+   * of a line, moves the nearest point along with the pointer.
+   */
   #moveTo(pointers: readonly StagePointer[]): void {
     const last = pointers.at(-1)
-    if (!last || this.#editor.point.peek() < 0) return
+    if (!last) return
+    if (this.#between && this.#editor.point.peek() < 0) {
+      const { x, y, along } = this.#between
+      if (Math.hypot(last.x - x, last.y - y) < THRESHOLD) return
+      this.#editor.choosePointNear(along)
+    }
     const hit = this.#stage.picker?.pick(last.ray)
-    if (!hit) return
-    this.#editor.movePoint(hit.uv, last.alt)
+    if (!hit || this.#editor.point.peek() < 0) return
+    if (this.#between) this.#editor.dragPoint(this.#between.uv, hit.uv, last.alt)
+    else this.#editor.movePoint(hit.uv, last.alt)
     this.#isChanged = true
   }
 

@@ -9,6 +9,8 @@ import {
   grabWeights,
   heldEnds,
   moveFork,
+  moveOver,
+  placeAt,
   pointAt,
   pullBranches,
   type StrokeLines,
@@ -33,8 +35,9 @@ export class PointMove {
   readonly #others: readonly number[]
   readonly #knot: number
   readonly #fork: Fork | null
-  /** Position of the handle before the gesture, millimetres. */
+  /** Position of the handle before the gesture, millimetres, and its triangle of the skin. */
   readonly #from: Float64Array
+  readonly #triangle: number
   readonly #before: ForkedStrokes<LayerStroke>
   #uv: Uv = [0, 0]
 
@@ -54,7 +57,9 @@ export class PointMove {
     this.#others = others
     this.#knot = knot
     this.#fork = fork && forks.find((each) => isSame(each, fork))!
-    this.#from = pointAt(lines.lineOf(strokes[index])!, place).slice()
+    const line = lines.lineOf(strokes[index])!
+    this.#from = pointAt(line, place).slice()
+    this.#triangle = line.triangles[place]
     this.#before = { strokes: own, forks, lines }
   }
 
@@ -62,6 +67,14 @@ export class PointMove {
   hasHandle(index: number): boolean {
     const members = this.#fork ? [...this.#fork.ends, ...this.#fork.trunks] : [{ stroke: this.#index }]
     return members.some(({ stroke }) => stroke === index)
+  }
+
+  /** Returns the position of the handle after the motion of the pointer from one place to another. Returns null if one is outside the skin. */
+  follow(from: Uv, to: Uv): Uv | null {
+    const { lines } = this.#before
+    const start = placeAt(from, lines.skin)
+    const step = start && stepTo(start.position, to, lines)
+    return step && moveOver({ triangle: this.#triangle, position: this.#from }, step, lines.skin)
   }
 
   /** Last position of the handle. */

@@ -56,9 +56,9 @@ function hintOf({ mode, chosen, handles }: LineEditor): string {
 const HINTS: Record<LineMode | 'chosen' | 'fork', string> = {
   off: 'Every wrinkle is a line.',
   select: 'Drag across the line to make it deeper. Shift+click chooses several lines.',
-  edit: 'Click a line on the face, or choose it above. Shift+click chooses several lines.',
+  edit: 'Drag a line on the face, or choose one above. Shift+click chooses several lines.',
   chosen:
-    'Drag a point. Points within the reach follow ([ and ] change it); with Alt, it moves alone. Shift+click or double-click adds a point, Delete removes it.',
+    'Drag the line or a point. Points within the reach follow ([ and ] change it); with Alt, a point moves alone. Shift+click or double-click adds a point, Delete removes it.',
   fork: 'A diamond is a fork: dragging it moves all lines that meet there.',
   draw: 'Draw on the skin. Drag beside the face to turn it.',
   smooth: 'Click a line, or drag over lines, to smooth them.',

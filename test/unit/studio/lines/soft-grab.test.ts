@@ -92,6 +92,40 @@ describe('a dragged point', () => {
   })
 })
 
+describe('a line that is dragged between its points', () => {
+  const drag = (y: number) => {
+    tool.begin(at(480, 301))
+    tool.move([at(482, 303)])
+    expect(strokes()).toEqual(LINES)
+    for (const to of [y - 40, y]) tool.move([at(480, to)])
+    tool.end()
+  }
+
+  test('is chosen and follows the pointer with its nearest point and its neighbours, in one undo step', () => {
+    drag(401)
+    expect(editor.chosen.value).toBe(strokes()[0])
+    expect(sinking(0)).toEqual(SOFT)
+    session.undo()
+    expect(strokes()).toEqual(LINES)
+    expect(session.undoLabel.value).toBeUndefined()
+  })
+
+  test('gets a point there if its points are far away, in the same undo step', () => {
+    const strokesBefore = [{ ...LINES[0], points: [LINES[0].points[0], LINES[0].points[12]] }]
+    session.open({ ...session.document.value!, strokes: strokesBefore })
+    tool.begin(at(500, 301))
+    tool.move([at(500, 401)])
+    tool.end()
+    expect(strokes()[0].points).toEqual([
+      strokesBefore[0].points[0],
+      [expect.closeTo(0.5, 2), expect.closeTo(0.4, 2)],
+      strokesBefore[0].points[1],
+    ])
+    session.undo()
+    expect(strokes()).toEqual(strokesBefore)
+  })
+})
+
 describe('several chosen lines', () => {
   beforeEach(() => {
     editor.choose(strokes()[2])
@@ -110,6 +144,14 @@ describe('several chosen lines', () => {
     session.undo()
     expect(strokes()).toEqual(LINES)
     expect(session.undoLabel.value).toBeUndefined()
+  })
+
+  test('move alike when another of them is dragged', () => {
+    tool.begin(at(480, 501))
+    tool.move([at(480, 601)])
+    tool.end()
+    for (const index of [0, 1, 2]) expect(sinking(index)).toEqual(SOFT)
+    expect(editor.allChosen.value.length).toBe(3)
   })
 
   test('lose one by another click with Shift, and all others by a click without', () => {
