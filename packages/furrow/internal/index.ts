@@ -60,7 +60,7 @@ export {
   strokeCurves,
 } from '../src/author/strokes/edit/curve-in-space.ts'
 export { detachStroke } from '../src/author/strokes/edit/detach.ts'
-export { type Fork, findForks, pointAt } from '../src/author/strokes/edit/forks.ts'
+export { type Fork, type ForkedStrokes, findForks, pointAt } from '../src/author/strokes/edit/forks.ts'
 export {
   grabPoint,
   grabStroke,
@@ -72,7 +72,6 @@ export {
 export { type MirrorPlane, mirrorStroke } from '../src/author/strokes/edit/mirror.ts'
 export {
   type ChangedStrokes,
-  type ForkedStrokes,
   knotAt,
   moveFork,
   pullBranches,

@@ -33,6 +33,14 @@ export interface Fork {
   trunks: readonly Trunk[]
 }
 
+/** Strokes and their forks. */
+export interface ForkedStrokes<S extends Stroke> {
+  strokes: readonly S[]
+  /** Result of `findForks`. */
+  forks: readonly Fork[]
+  lines: StrokeLines
+}
+
 /** Line with the data of a search: its index and its bounding box, widened by `TOUCH`. */
 interface Searched {
   stroke: number

@@ -1,6 +1,5 @@
 import type { Stroke, Uv } from '../document.ts'
-import { type Fork, pointAt } from './forks.ts'
-import type { ForkedStrokes } from './move-forks.ts'
+import { type Fork, type ForkedStrokes, pointAt } from './forks.ts'
 import { moveOver, placeAt } from './over-skin.ts'
 import { splineOf } from './spline-of.ts'
 import type { StrokeLine, StrokeLines } from './stroke-lines.ts'

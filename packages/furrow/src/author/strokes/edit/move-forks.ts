@@ -1,19 +1,11 @@
 import { lerp } from '../../../math/scalar.ts'
 import type { Stroke, Uv } from '../document.ts'
-import { type Fork, TOUCH } from './forks.ts'
+import { type Fork, type ForkedStrokes, TOUCH } from './forks.ts'
 import { grabPoint, withPoint } from './grab.ts'
 import { insertPoint } from './points.ts'
 import { splineOf } from './spline-of.ts'
 import type { StrokeLine, StrokeLines } from './stroke-lines.ts'
 import { uvOf } from './traced-stroke.ts'
-
-/** Strokes and their forks. */
-export interface ForkedStrokes<S extends Stroke> {
-  strokes: readonly S[]
-  /** Result of `findForks`. */
-  forks: readonly Fork[]
-  lines: StrokeLines
-}
 
 /** Changed strokes. The keys are their indices. */
 export type ChangedStrokes<S extends Stroke> = Map<number, S>
