@@ -14,6 +14,8 @@ const STEP = 3
 /** Radii of points, CSS pixels: one that stays, and the one that is moved. */
 const POINT = 4
 const CHOSEN_POINT = 6.5
+/** Colour of a point that moves as much as the chosen one, as a fraction of the way from white to that point's colour. */
+const NEIGHBOUR = 0.7
 /** Half diagonals of the diamonds that mark forks, CSS pixels. */
 const FORK = 4
 const HANDLE_FORK = 7
@@ -144,7 +146,7 @@ function drawHandle(
   isChosen: boolean,
   weight: number,
 ): void {
-  const colour = isChosen ? COLOURS.chosen : blend(COLOURS.point, COLOURS.chosen, weight)
+  const colour = isChosen ? COLOURS.chosen : blend(COLOURS.point, COLOURS.chosen, NEIGHBOUR * weight)
   if (fork) {
     drawDiamond(context, x[place], y[place], isChosen ? CHOSEN_FORK : HANDLE_FORK, colour)
     return
