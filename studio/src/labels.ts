@@ -132,6 +132,7 @@ export const LINE = {
   detach: 'Detach',
   remove: 'Delete line',
   removeLines: 'Delete lines',
+  chooseGroup: 'All of the region',
   removePoint: 'Delete point',
 } as const
 

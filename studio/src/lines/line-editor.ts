@@ -117,6 +117,12 @@ export class LineEditor {
     this.#counterparts.forget()
   }
 
+  /** Chooses all lines with the group of the main line. */
+  chooseGroup(): void {
+    this.#selection.chooseGroup()
+    this.#counterparts.forget()
+  }
+
   /** Makes a chosen line the main one, whose points can be moved. */
   makeMain(stroke: LayerStroke): void {
     this.#selection.makeMain(stroke)

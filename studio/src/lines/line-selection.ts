@@ -80,6 +80,15 @@ export class LineSelection {
     this.chooseIndices(others.length < this.indices.length ? others : [index, ...others])
   }
 
+  /** Chooses all lines with the group of the main line, which stays the main one. */
+  chooseGroup(): void {
+    const [strokes, main] = [this.#session.document.peek()?.strokes ?? [], this.index]
+    const group = strokes[main]?.group
+    if (group === undefined) return
+    const others = [...strokes.keys()].filter((index) => index !== main && strokes[index].group === group)
+    this.chooseIndices([main, ...others])
+  }
+
   /** Makes a chosen line the main one. */
   makeMain(stroke: LayerStroke): void {
     const index = this.#indexOf(stroke)

@@ -200,6 +200,12 @@ function Operations({ editor, attempt }: ControlsProps) {
     ],
     [isSeveral ? LINE.removeLines : LINE.remove, '', () => editor.removeLine()],
     [LINE.removePoint, 'Removes the chosen point', () => editor.remove(), !hasPoint(editor)],
+    [
+      LINE.chooseGroup,
+      'Chooses all lines of the region',
+      () => editor.chooseGroup(),
+      editor.chosen.value?.group === undefined,
+    ],
   ]
   return (
     <fieldset class="grid lines-actions" aria-label={isSeveral ? 'Chosen lines' : 'Chosen line'}>

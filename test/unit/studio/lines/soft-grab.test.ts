@@ -216,6 +216,13 @@ describe('several chosen lines', () => {
   })
 })
 
+test('a command chooses all lines of the region', () => {
+  session.open({ ...session.document.value!, strokes: [...LINES, { ...LINES[0], group: 'cheeks' }] })
+  editor.choose(strokes()[1])
+  editor.chooseGroup()
+  expect(editor.allChosen.value).toEqual([strokes()[1], strokes()[0], strokes()[2]])
+})
+
 test('a stroke over several lines smooths them in one undo step', () => {
   editor.mode.value = 'smooth'
   tool.begin(at(410, 302))
