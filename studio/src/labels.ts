@@ -139,6 +139,7 @@ export const LINE = {
   bank: 'Bulge width, mm',
   lean: 'Overhang',
   taper: 'Fading ends',
+  reach: 'Reach, mm',
   group: 'Region',
   layer: 'Layer',
   smooth: 'Smooth',
@@ -146,7 +147,17 @@ export const LINE = {
   mirror: 'Copy to the other side',
   detach: 'Detach',
   remove: 'Delete line',
+  removeLines: 'Delete lines',
+  chooseGroup: 'All of the region',
   removePoint: 'Delete point',
+} as const
+
+/** Headings and texts of the tab that tells when a region shows. */
+export const WHEN = {
+  expressions: 'Expressions that show it',
+  noExpression: 'No expression of this avatar shows it.',
+  strongest: 'Strongest drivers',
+  noDriver: 'No driver shows it, only its slider.',
 } as const
 
 /** Fields of the cards over the face. */
@@ -186,6 +197,44 @@ const REGION_NAMES: Readonly<Record<string, string>> = {
   paleLips: 'Pale lips',
 }
 
+/** Everyday names of ARKit's blendshapes, by their names without the side. */
+const BLENDSHAPE_NAMES: Readonly<Record<string, string>> = {
+  browDown: 'Brow lowered',
+  browInnerUp: 'Inner brows raised',
+  browOuterUp: 'Outer brow raised',
+  cheekPuff: 'Cheeks puffed',
+  cheekSquint: 'Cheek raised',
+  eyeBlink: 'Eye closed',
+  eyeLookDown: 'Eye looks down',
+  eyeLookIn: 'Eye looks inwards',
+  eyeLookOut: 'Eye looks outwards',
+  eyeLookUp: 'Eye looks up',
+  eyeSquint: 'Eye squinted',
+  eyeWide: 'Eye wide open',
+  jawForward: 'Jaw forward',
+  jawLeft: 'Jaw to the left',
+  jawOpen: 'Jaw open',
+  jawRight: 'Jaw to the right',
+  mouthClose: 'Lips closed',
+  mouthDimple: 'Mouth corner pulled back',
+  mouthFrown: 'Mouth corner lowered',
+  mouthFunnel: 'Lips funnelled',
+  mouthLeft: 'Mouth to the left',
+  mouthLowerDown: 'Lower lip lowered',
+  mouthPress: 'Lips pressed',
+  mouthPucker: 'Lips puckered',
+  mouthRight: 'Mouth to the right',
+  mouthRollLower: 'Lower lip rolled in',
+  mouthRollUpper: 'Upper lip rolled in',
+  mouthShrugLower: 'Chin raised',
+  mouthShrugUpper: 'Upper lip pushed up',
+  mouthSmile: 'Smile',
+  mouthStretch: 'Mouth stretched',
+  mouthUpperUp: 'Upper lip raised',
+  noseSneer: 'Nose wrinkled',
+  tongueOut: 'Tongue out',
+}
+
 /** Splits a region's name into the name without its side, and the side. */
 function splitSide(name: string): [stem: string, side: string] {
   const side = name.match(/(?<=.)(Left|Right)$/)?.[0] ?? ''
@@ -197,9 +246,31 @@ export function inExpression(name: string | null): string {
   return name === null ? CARD.inPose : `With ${expressionLabel(name)}`
 }
 
+/** Returns the label of problems with drivers: `1 problem`. */
+export function problemsLabel(count: number): string {
+  return count === 1 ? '1 problem' : `${count} problems`
+}
+
+/** Returns the label of several chosen lines: `3 lines`. */
+export function linesLabel(count: number): string {
+  return `${count} lines`
+}
+
+/** Returns the label of a joint, a muscle or a number: `Left arm` for `leftArm`. */
+export function nameLabel(name: string): string {
+  return displayName(name)
+}
+
 /** Returns the label of an expression: `Left brow` for `leftBrow`. */
 export function expressionLabel(name: string): string {
   return displayName(name)
+}
+
+/** Returns the everyday name of a blendshape: `Brow lowered, left` for `browDownLeft`. */
+export function blendshapeLabel(name: string): string {
+  const [stem, side] = splitSide(name)
+  if (BLENDSHAPE_NAMES[name]) return BLENDSHAPE_NAMES[name]
+  return BLENDSHAPE_NAMES[stem] ? `${BLENDSHAPE_NAMES[stem]}, ${side.toLowerCase()}` : displayName(name)
 }
 
 /** Returns the everyday name of a region without its side: `Inner forehead` for `foreheadInner`. */

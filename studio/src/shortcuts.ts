@@ -53,7 +53,11 @@ export const SHORTCUTS = {
     clear: { keys: ['Escape'], label: 'Discard the polygon' },
   },
   lines: {
-    remove: { keys: ['Delete', 'Backspace'], label: 'Delete the point or the line that is chosen' },
+    remove: { keys: ['Delete', 'Backspace'], label: 'Delete the point or the lines that are chosen' },
+  },
+  bending: {
+    smaller: { keys: ['['], label: 'Fewer points move along' },
+    larger: { keys: [']'], label: 'More points move along' },
   },
   linePoint: {
     left: { keys: ['ArrowLeft', 'Shift+ArrowLeft'], label: 'To the left on the face, far with Shift' },

@@ -95,6 +95,7 @@ test('no violation with every type of driver unfolded', async () => {
     .first()
     .check()
   await showTab(page, 'When')
+  await unfoldAll()
   const list = page.getByLabel('Driver to add')
   for (const label of await list.locator('option').allTextContents()) {
     await list.selectOption({ label })

@@ -14,6 +14,7 @@ beforeAll(async () => {
   await page.getByRole('button', { name: 'Edit wrinkles' }).click()
   await areaChoice(page, 'lowerLip').check()
   await showTab(page, 'When')
+  await page.locator('.drivers > summary').click()
   await showSliders(page)
   for (const group of ['Brows', 'Jaw', 'Mouth']) {
     await page.locator('#targets summary', { hasText: group }).click()
@@ -143,6 +144,23 @@ test('the reasons shown for the area under the mouse follow the face', async () 
     })
   }
   await expect.poll(shown).toBe('0.1')
+})
+
+test('a tab tells when a region shows: its expressions, whose pictures play them, and its strongest drivers', async () => {
+  const shown = page.getByRole('group', { name: 'Expressions that show it' })
+  const first = shown.getByRole('button').first()
+  await first.click()
+  await expect.poll(activationShown, { timeout: 60_000 }).toBeGreaterThan(0.2)
+  expect(await first.getAttribute('aria-pressed')).toBe('true')
+  const strongest = page.getByRole('region', { name: 'Strongest drivers' })
+  const bars = await strongest
+    .getByRole('meter')
+    .evaluateAll((all) => all.map((each) => (each as HTMLMeterElement).value))
+  expect(bars).toEqual(bars.toSorted((a, b) => b - a))
+  expect(bars.length).toBeLessThanOrEqual(3)
+  await strongest.locator('summary', { hasText: 'browInnerUp' }).click()
+  await strongest.getByRole('group', { name: 'Curve of browInnerUp alone' }).waitFor()
+  await strongest.locator('summary', { hasText: 'browInnerUp' }).click()
 })
 
 test('conflicting blendshapes cancel each other until the conflict is removed', async () => {

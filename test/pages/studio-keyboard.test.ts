@@ -187,6 +187,7 @@ test('records the pose, and edits the curve of its driver', async () => {
   await expect
     .poll(() => page.getByRole('button', { name: 'Undo' }).getAttribute('title'))
     .toBe('Undo: Record the pose of Browline')
+  await unfold('Advanced')
   await unfold(/^Blendshapes.*brow/)
   await tabTo('Point 1 of 2')
   await press('ArrowRight', 'ArrowRight', 'Shift+ArrowUp')

@@ -61,7 +61,7 @@ describe('the studio on WebGL', () => {
     await page.locator('#areas label', { hasText: 'crowsFeetLeft' }).hover()
     const meter = (name: string) => page.getByRole('meter', { name })
     expect(await meter('Crow’s feet, left').getAttribute('value')).toBe('1')
-    expect(await meter('cheekSquintLeft').getAttribute('value')).toBe('0.64')
+    expect(await meter('Cheek raised, left').getAttribute('value')).toBe('0.64')
     const linked = () =>
       page.locator('.row.linked label').evaluateAll((all) => all.map((label) => (label as HTMLElement).title))
     expect((await linked()).sort()).toEqual([
@@ -75,7 +75,7 @@ describe('the studio on WebGL', () => {
     await page.locator('#filter').fill('mouthSmileLeft')
     await page.locator('#targets label', { hasText: 'mouthSmileLeft' }).hover()
     expect((await linked()).sort()).toEqual(['crowsFeetLeft', 'nasolabialLeft', 'underEyeLeft'])
-    expect(await meter('cheekSquintLeft').count()).toBe(0)
+    expect(await meter('Cheek raised, left').count()).toBe(0)
     await page.locator('#filter').fill('')
     await page.locator('#filter').hover()
     expect(await linked()).toEqual([])

@@ -61,17 +61,24 @@ export {
   strokeCurves,
 } from '../src/author/strokes/edit/curve-in-space.ts'
 export { detachStroke } from '../src/author/strokes/edit/detach.ts'
-export { type Fork, findForks } from '../src/author/strokes/edit/forks.ts'
+export { type Fork, type ForkedStrokes, findForks, pointAt } from '../src/author/strokes/edit/forks.ts'
+export {
+  grabPoint,
+  grabStroke,
+  grabWeights,
+  heldEnds,
+  stepTo,
+  withPoint,
+} from '../src/author/strokes/edit/grab.ts'
 export { type MirrorPlane, mirrorStroke } from '../src/author/strokes/edit/mirror.ts'
 export {
   type ChangedStrokes,
-  type ForkedStrokes,
   knotAt,
   moveFork,
   pullBranches,
   withForkPoints,
-  withPoint,
 } from '../src/author/strokes/edit/move-forks.ts'
+export { moveOver, placeAt } from '../src/author/strokes/edit/over-skin.ts'
 export { splineOf } from '../src/author/strokes/edit/spline-of.ts'
 export { type StrokeLine, StrokeLines } from '../src/author/strokes/edit/stroke-lines.ts'
 export { traceStroke, uvOf } from '../src/author/strokes/edit/traced-stroke.ts'

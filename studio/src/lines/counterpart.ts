@@ -6,6 +6,46 @@ import type { LineSurface } from './line-surface.ts'
 /** Maximum mean distance between the mirror image of a line and its counterpart, millimetres. Automatic lines are not quite symmetric. */
 const MAX_APART = 8
 
+/** Finds counterparts of lines, and remembers them during a gesture. */
+export class Counterparts {
+  /** The keys and values are indices of lines. */
+  readonly #known = new Map<number, number>()
+
+  forget(): void {
+    this.#known.clear()
+  }
+
+  /** Returns the index of a line's counterpart, or -1. @param index index of the line in `strokes`. */
+  of(index: number, strokes: readonly LayerStroke[], surface: LineSurface): number {
+    const known = this.#known.get(index)
+    if (known !== undefined) return known
+    const found = counterpartOf(strokes, index, surface)
+    this.#known.set(index, found)
+    return found
+  }
+
+  /**
+   * Adds the counterparts of changed lines, unless they are changed lines themselves.
+   *
+   * @param strokes strokes before the change.
+   * @param change returns the changed counterpart. Default: the mirror image of the changed line.
+   */
+  add(
+    changed: ReadonlyMap<number, LayerStroke>,
+    strokes: readonly LayerStroke[],
+    surface: LineSurface,
+    change: (other: LayerStroke, stroke: LayerStroke, index: number) => LayerStroke = (other, stroke) =>
+      mirrorOnto(stroke, other, surface),
+  ): ReadonlyMap<number, LayerStroke> {
+    const all = new Map(changed)
+    for (const [index, stroke] of changed) {
+      const other = this.of(index, strokes, surface)
+      if (other >= 0 && !changed.has(other)) all.set(other, change(strokes[other], stroke, index))
+    }
+    return all
+  }
+}
+
 /** Returns a stroke on the other half of the face, in the same layer and with the group of `other`. */
 export function mirrorOnto(stroke: LayerStroke, other: LayerStroke, surface: LineSurface): LayerStroke {
   const { group, ...mirrored } = mirrorStroke(stroke, surface.canvas, surface.middle)

@@ -37,9 +37,27 @@ export function coverLine(document: StudioDocument, stroke: LayerStroke, canvas:
 }
 
 /** Whether the area of a line covers a point. Returns true if no area has the name of the line's group. */
-export function isShownAt({ areas }: StudioDocument, { group }: LayerStroke, point: Uv): boolean {
+function isShownAt({ areas }: StudioDocument, { group }: LayerStroke, point: Uv): boolean {
   const area = areas.find(({ name }) => name === group)
   return !area || meanWeight(area.weights, [point]) >= UNDER
+}
+
+/**
+ * Extends the area of a line to its moved points. Does nothing if the line was partly outside its area before, unless the handle is now outside.
+ *
+ * @param before the line before the move.
+ * @param handle UV coordinates of the moved handle, if the line has a point there.
+ */
+export function coverMoved(
+  document: StudioDocument,
+  stroke: LayerStroke,
+  before: LayerStroke,
+  handle: Uv | null,
+  canvas: SkinCanvas,
+): StudioDocument {
+  const isShown = ({ points }: LayerStroke) => points.every((uv) => isShownAt(document, stroke, uv))
+  const isHandleOut = handle !== null && !isShownAt(document, stroke, handle)
+  return isHandleOut || (isShown(before) && !isShown(stroke)) ? coverLine(document, stroke, canvas) : document
 }
 
 /** Returns the area with the name of a group. Otherwise, returns the group's areas for each side, such as `browLeft`. */

@@ -1,12 +1,22 @@
-import { computed, effect, type ReadonlySignal, signal } from '@preact/signals'
-import { insertPoint, removePoint, smoothStroke, splitStroke, type Uv } from 'furrow/author'
-import { detachStroke, type Fork, findForks, mirrorStroke, pullBranches, splineOf } from 'furrow/internal'
+import { computed, type ReadonlySignal, signal } from '@preact/signals'
+import { insertPoint, removePoint, smoothStroke, type Uv } from 'furrow/author'
+import {
+  detachStroke,
+  type Fork,
+  grabWeights,
+  heldEnds,
+  mirrorStroke,
+  pullBranches,
+  splineOf,
+} from 'furrow/internal'
 import type { LayerStroke, StudioDocument } from '../document/document.ts'
-import { removeStroke, replaceStroke, replaceStrokes } from '../document/strokes.ts'
+import { replaceStroke, replaceStrokes } from '../document/strokes.ts'
 import type { Session } from '../session/session.ts'
-import { counterpartOf, mirrorOnto } from './counterpart.ts'
-import { type Handle, handlesOf } from './handles.ts'
-import { addLine, coverLine, isShownAt, type NewLine } from './line-area.ts'
+import { Counterparts } from './counterpart.ts'
+import type { Handle } from './handles.ts'
+import { addLine, coverLine, coverMoved, type NewLine } from './line-area.ts'
+import { addWithImage, removeLines, splitAt } from './line-changes.ts'
+import { LineSelection } from './line-selection.ts'
 import { LINE_SHAPE, type LineShape, withShape } from './line-shape.ts'
 import type { LineSurface } from './line-surface.ts'
 import { PointMove } from './point-move.ts'
@@ -18,99 +28,156 @@ import { PointMove } from './point-move.ts'
 export type LineMode = 'off' | 'select' | 'edit' | 'draw' | 'smooth' | 'erase'
 
 /** Strength of the command Smooth, 0..1. */
-const SMOOTHING = 0.5
+const SMOOTHING = 0.8
 
-/** Stores which wrinkle line is chosen, and edits this line. */
+/** Range of `LineEditor.reach`, and its default, millimetres. */
+export const REACH_RANGE = [0, 60] as const
+const REACH = 15
+/** Minimum distance from all points at which a dragged line gets a new point, millimetres. It also depends on the reach. */
+const NEAR = 4
+/** Change of `LineEditor.reach` per key press, millimetres. */
+const REACH_STEP = 2.5
+
+/** Edits the chosen wrinkle lines. */
 export class LineEditor {
   readonly mode = signal<LineMode>('off')
   /** Whether lines are being edited. In the mode `select`, the pointer also has other uses. */
   readonly isEditing = computed(() => this.mode.value !== 'off' && this.mode.value !== 'select')
   /** Whether a change of a line also changes its counterpart on the other half of the face. */
   readonly mirrored = signal(false)
+  /** Distance along the line up to which a moved point takes its neighbours along, millimetres. 0: it moves alone. */
+  readonly reach = signal(REACH)
   readonly shape = signal(LINE_SHAPE)
   /** Group of new lines. If empty, each line gets the name of the area that covers it. */
   readonly group = signal('')
   /** Layer of new lines. If empty, each line gets the layer of its area. */
   readonly layer = signal('')
-  /** Index of the chosen point in `handles`, or -1. */
-  readonly point = signal(-1)
   /** Areas that the last drawn line added, because it was drawn on bare skin. The user has not chosen yet when they show. */
   readonly added = signal<readonly string[]>([])
   readonly session: Session
   readonly #surface: () => LineSurface | null
-  /** Index of the chosen line. It stays valid when an operation or undo replaces the object of the line. */
-  readonly #index = signal(-1)
+  readonly #selection: LineSelection
   /** Current gesture that moves a point, or null. */
   #move: PointMove | null = null
-  /** Counterparts of lines, found since the last call of `settle`. The keys and values are indices of lines. */
-  readonly #counterparts = new Map<number, number>()
-
-  readonly chosen: ReadonlySignal<LayerStroke | null> = computed(
-    () => this.session.document.value?.strokes[this.#index.value] ?? null,
-  )
-
-  /** Forks of all lines. */
-  readonly forks: ReadonlySignal<readonly Fork[]> = computed(() => {
-    const [document, surface] = [this.session.document.value, this.#surface()]
-    return document && surface ? findForks(document.strokes, surface.lines) : []
-  })
-
-  /** Points of the chosen line, and forks on it, from its start to its end. */
-  readonly handles: ReadonlySignal<readonly Handle[]> = computed(() => {
-    const line = this.chosen.value && this.#surface()?.lines.lineOf(this.chosen.value)
-    return line ? handlesOf(this.#index.value, line, this.forks.value) : []
-  })
-
-  /** Ends of the chosen line that are in a fork. 0: its start, 1: its end. */
-  readonly attachedEnds: ReadonlySignal<readonly (0 | 1)[]> = computed(() =>
-    this.forks.value.flatMap(({ ends }) =>
-      ends.flatMap(({ stroke, end }) => (stroke === this.#index.value ? end : [])),
-    ),
-  )
+  /** Indices of the lines that the current gesture has changed. */
+  #moved: ReadonlySet<number> = new Set()
+  readonly #counterparts = new Counterparts()
 
   /** @param surface returns the skin of the current face, or null if there is no document. */
   constructor(session: Session, surface: () => LineSurface | null) {
     this.session = session
     this.#surface = surface
-    // New automatic wrinkles replace lines, so the index of the chosen line would mean another line.
-    const auto = computed(() => session.document.value?.auto)
-    effect(() => {
-      auto.value
-      this.choose(null)
-    })
+    this.#selection = new LineSelection(session, surface)
   }
+
+  /** Main chosen line, or null. */
+  get chosen(): ReadonlySignal<LayerStroke | null> {
+    return this.#selection.main
+  }
+
+  /** All chosen lines, first the main one. */
+  get allChosen(): ReadonlySignal<readonly LayerStroke[]> {
+    return this.#selection.all
+  }
+
+  /** Index of the chosen point in `handles`, or -1. */
+  get point() {
+    return this.#selection.point
+  }
+
+  /** Forks of all lines. */
+  get forks(): ReadonlySignal<readonly Fork[]> {
+    return this.#selection.forks
+  }
+
+  /** Points of the main chosen line, and forks on it, from its start to its end. */
+  get handles(): ReadonlySignal<readonly Handle[]> {
+    return this.#selection.handles
+  }
+
+  /** Ends of the main chosen line that are in a fork. 0: its start, 1: its end. */
+  readonly attachedEnds: ReadonlySignal<readonly (0 | 1)[]> = computed(() => {
+    this.forks.value
+    this.chosen.value
+    return this.#selection.attachedEnds(this.#selection.index)
+  })
 
   /** Whether the current gesture has changed a line. */
   isMoving(stroke: LayerStroke): boolean {
     const { strokes } = this.session.document.peek() ?? {}
-    return this.#move?.changed.has(strokes?.indexOf(stroke) ?? -1) ?? false
+    return this.#moved.has(strokes?.indexOf(stroke) ?? -1)
   }
 
   choose(stroke: LayerStroke | null): void {
-    const { strokes } = this.session.document.peek() ?? {}
-    this.#index.value = (stroke && strokes?.indexOf(stroke)) ?? -1
+    this.#selection.choose(stroke)
     this.added.value = []
-    this.#counterparts.clear()
-    this.point.value = -1
+    this.#counterparts.forget()
+  }
+
+  /** Adds a line to the chosen lines, or removes it from them. */
+  toggle(stroke: LayerStroke): void {
+    this.#selection.toggle(stroke)
+    this.added.value = []
+    this.#counterparts.forget()
+  }
+
+  /** Chooses all lines with the group of the main line. */
+  chooseGroup(): void {
+    this.#selection.chooseGroup()
+    this.#counterparts.forget()
+  }
+
+  /** Makes a chosen line the main one, whose points can be moved. */
+  makeMain(stroke: LayerStroke): void {
+    this.#selection.makeMain(stroke)
   }
 
   /** Chooses a fork and a line at it: the fork's trunk, or a line that ends at the fork if there is no trunk. */
   chooseFork(fork: Fork): void {
-    const [{ stroke }] = [...fork.trunks, ...fork.ends]
-    this.#index.value = stroke
-    this.point.value = this.handles.peek().findIndex((handle) => handle.fork === fork)
+    this.#selection.chooseFork(fork)
   }
 
-  /** Moves the chosen point. At a fork, moves all lines that meet there. All moves until `settle` are one undo step. */
-  movePoint(uv: Uv): void {
-    const [handle, surface] = [this.handles.peek()[this.point.peek()], this.#surface()]
+  /** Returns the fraction of a handle's motion that each handle would make. @param index index of the moved handle. */
+  grabWeights(index: number): readonly number[] {
+    const [handles, stroke] = [this.handles.peek(), this.chosen.peek()]
+    const line = stroke && this.#surface()?.lines.lineOf(stroke)
+    const moved = handles[index]
+    if (!line || !moved) return []
+    const places = { lengths: line.lengths, knots: handles.map(({ place }) => place) }
+    return grabWeights(
+      places,
+      index,
+      this.reach.peek(),
+      heldEnds(this.forks.peek(), this.#selection.index, moved.fork),
+    )
+  }
+
+  /**
+   * Moves the chosen point of the main line, and points near it; a fork with all lines that meet there. Moves the other chosen lines alike. All
+   * moves until `settle` are one undo step.
+   *
+   * @param isAlone whether no neighbouring points move, whatever `reach` is.
+   */
+  movePoint(uv: Uv, isAlone = false): void {
+    this.#moveTo(() => uv, isAlone)
+  }
+
+  /** Moves the chosen point like `movePoint`, by the motion of the pointer from one place to another. */
+  dragPoint(from: Uv, to: Uv, isAlone = false): void {
+    this.#moveTo((move) => move.follow(from, to), isAlone)
+  }
+
+  #moveTo(target: (move: PointMove) => Uv | null, isAlone: boolean): void {
+    const [{ handle, indices }, surface] = [this.#selection, this.#surface()]
     const document = this.session.document.peek()
     if (!handle || !surface || !document) return
     if (this.#move?.last !== document.strokes)
-      this.#move = new PointMove(document.strokes, this.#index.peek(), handle, surface.lines)
-    const changed = this.#withCounterparts(this.#move.to(uv), document)
-    const label = this.#move.isFork ? 'Move a fork' : 'Move a point'
-    this.session.edit(label, (old) => replaceStrokes(old, changed), this.#keyOf('points'))
+      this.#move = new PointMove(document.strokes, indices, handle, surface.lines)
+    const uv = target(this.#move)
+    if (!uv) return
+    const changed = this.#withCounterparts(this.#move.to(uv, isAlone ? 0 : this.reach.peek()), document)
+    this.#moved = new Set(changed.keys())
+    this.session.edit(this.#move.label, (old) => replaceStrokes(old, changed), this.#keyOf('points'))
     this.#move.last = this.session.document.peek()!.strokes
   }
 
@@ -133,45 +200,55 @@ export class LineEditor {
     if (index >= 0) this.point.value = this.handles.peek().findIndex(({ knot }) => knot === index)
   }
 
-  /** Removes the chosen point. Removes the line if no point is chosen or the line has only two points. */
+  /** Chooses the handle of the main line that is nearest to a place. If none is near, adds a point there. @param along place on the line, 0..1. */
+  choosePointNear(along: number): void {
+    const line = this.chosen.peek() && this.#surface()?.lines.lineOf(this.chosen.peek()!)
+    if (!line) return
+    const total = line.lengths[line.lengths.length - 1]
+    const apart = this.handles.peek().map(({ place }) => Math.abs(line.lengths[place] - along * total))
+    const least = Math.min(...apart)
+    if (least <= Math.max(this.reach.peek() / 2, NEAR)) this.point.value = apart.indexOf(least)
+    else this.insertPoint(along)
+  }
+
+  /** Removes the chosen point. Removes the chosen lines if no point is chosen, or if the line has only two points. */
   remove(): void {
-    const { knot = -1, fork } = this.handles.peek()[this.point.peek()] ?? {}
+    const { knot = -1, fork } = this.#selection.handle ?? {}
     const stroke = this.chosen.peek()
     const canvas = this.#surface()?.canvas
     // A fork between two points of the chosen line has no point to remove: it is the end of another line.
     if (!stroke || !canvas || (fork && knot < 0)) return
     this.point.value = -1
     if (knot >= 0 && splineOf(stroke, canvas).points.length > 2)
-      this.#changeTrunk('Remove a point', () => removePoint(stroke, knot, canvas), knot)
+      this.#changeTrunks('Remove a point', [this.#selection.index], () => removePoint(stroke, knot, canvas), {
+        removed: knot,
+      })
     else this.removeLine()
   }
 
+  /** Removes the chosen lines. */
   removeLine(): void {
-    const stroke = this.chosen.peek()
-    if (!stroke) return
-    const other = this.#counterpart()
+    const [{ indices }, document] = [this.#selection, this.session.document.peek()]
+    if (indices.length === 0 || !document) return
+    const chosen = new Map(indices.map((index) => [index, document.strokes[index]]))
+    const all = [...this.#withCounterparts(chosen, document).keys()]
     const key = this.mode.peek() === 'erase' ? 'erase' : undefined
-    const remove = (document: StudioDocument) => {
-      const left = removeStroke(document, stroke)
-      if (!other) return left
-      // Removing a stroke can replace the objects of other strokes, but not their order.
-      return removeStroke(
-        left,
-        left.strokes[other.index - (document.strokes.indexOf(stroke) < other.index ? 1 : 0)],
-      )
-    }
-    this.session.edit('Remove a line', remove, key)
+    this.session.edit(labelOf('Remove', indices), (old) => removeLines(old, all), key)
     this.choose(null)
   }
 
+  /** Smooths the chosen lines. */
   smooth(): void {
-    this.#changeTrunk('Smooth a line', (stroke, { canvas }) => smoothStroke(stroke, SMOOTHING, canvas))
+    const { indices } = this.#selection
+    const make = (stroke: LayerStroke, { canvas }: LineSurface) => smoothStroke(stroke, SMOOTHING, canvas)
+    const key = this.mode.peek() === 'smooth' ? 'smooth' : undefined
+    this.#changeTrunks(labelOf('Smooth', indices), indices, make, { key })
   }
 
   /** Shortens the chosen line at its ends that are in forks. If it ends in the chosen fork, changes only that end. */
   detach(): void {
-    const { fork } = this.handles.peek()[this.point.peek()] ?? {}
-    const index = this.#index.peek()
+    const [{ handle, index }] = [this.#selection]
+    const fork = handle?.fork
     const strokes = this.session.document.peek()?.strokes ?? []
     const isEnd = fork?.ends.some(({ stroke }) => stroke === index)
     const forks = fork && isEnd ? [fork] : this.forks.peek()
@@ -179,27 +256,26 @@ export class LineEditor {
     this.point.value = -1
   }
 
-  /** Splits the chosen line at its chosen point or fork, or in the middle. The first part stays chosen. */
+  /** Splits the main line at its chosen point or fork, or in the middle. The first part stays chosen. */
   split(): void {
-    const { knot = -1, place = 0, fork } = this.handles.peek()[this.point.peek()] ?? {}
-    this.#change('Split a line', (stroke, { canvas, lines }) => {
-      const spline = splineOf(stroke, canvas)
-      if (knot > 0 && knot < spline.points.length - 1) return splitStroke(spline, knot, canvas)
-      const { lengths } = lines.lineOf(stroke)!
-      const along = fork && knot < 0 ? lengths[place] / lengths[lengths.length - 1] : 0.5
-      const added = insertPoint(spline, along, canvas)
-      const at = added.index > 0 ? added.index : Math.floor(spline.points.length / 2)
-      return splitStroke(added.stroke, at, canvas)
-    })
-    this.point.value = -1
+    const { handle, index } = this.#selection
+    this.#change('Split a line', (stroke, surface) => splitAt(stroke, handle, surface))
+    this.#selection.chooseIndices([index])
   }
 
-  /** Adds the mirror image of the chosen line and chooses it. */
+  /** Adds the mirror images of the chosen lines and chooses them. */
   mirror(): void {
-    const stroke = this.chosen.peek()
-    const surface = this.#surface()
-    if (!stroke || !surface) return
-    this.#add('Mirror a line', mirrorStroke(stroke, surface.canvas, surface.middle))
+    const [{ indices }, surface] = [this.#selection, this.#surface()]
+    if (indices.length === 0 || !surface) return
+    const { canvas, middle } = surface
+    this.session.edit(labelOf('Mirror', indices), (document) =>
+      indices.reduce(
+        (added, index) => addLine(added, mirrorStroke(document.strokes[index], canvas, middle), canvas),
+        document,
+      ),
+    )
+    const count = this.session.document.peek()!.strokes.length
+    this.#selection.chooseIndices(indices.map((_, i) => count - indices.length + i))
   }
 
   /** Adds a line with the current shape, group and layer, and chooses it. Also adds its mirror image if `mirrored` is true. */
@@ -215,36 +291,30 @@ export class LineEditor {
       waviness: 0,
     }
     const known = new Set(this.session.document.peek()?.areas.map(({ name }) => name))
-    const image = this.mirrored.peek() ? mirrorStroke(line, surface.canvas, surface.middle) : null
-    this.session.edit('Draw a line', (document) => {
-      const drawn = addLine(document, line, surface.canvas)
-      if (!image) return drawn
-      // A line across the middle of the face is its own counterpart.
-      const probe = {
-        ...drawn,
-        strokes: [...drawn.strokes, { ...drawn.strokes.at(-1)!, ...image }] as LayerStroke[],
-      }
-      const isOwn = counterpartOf(probe.strokes, drawn.strokes.length - 1, surface) < 0
-      return isOwn ? drawn : addLine(drawn, image, surface.canvas)
-    })
+    this.session.edit('Draw a line', (document) =>
+      this.mirrored.peek() ? addWithImage(document, line, surface) : addLine(document, line, surface.canvas),
+    )
     const { strokes, areas } = this.session.document.peek()!
     this.added.value = areas.map(({ name }) => name).filter((name) => !known.has(name))
-    this.#index.value = strokes.findLastIndex((stroke) => stroke.points === points)
-    this.point.value = -1
+    this.#selection.chooseIndices([strokes.findLastIndex((stroke) => stroke.points === points)])
   }
 
-  /** Changes the shape of the chosen line, or of new lines in draw mode. Changes of a field until `settle` are one undo step. */
+  /** Changes the shape of the chosen lines, or of new lines in draw mode. Changes of a field until `settle` are one undo step. */
   setShape(fields: Partial<LineShape>): void {
     if (this.#isNew) {
       this.shape.value = { ...this.shape.peek(), ...fields }
       return
     }
-    const key = `shape-${Object.keys(fields)}`
-    const attached = this.attachedEnds.peek()
-    const make = (stroke: LayerStroke) => [withShape(stroke, fields, attached)]
-    this.#change(`Change the ${Object.keys(fields)} of a line`, make, key, (other) =>
-      withShape(other, fields, attached),
-    )
+    const [{ indices }, document, surface] = [this.#selection, this.session.document.peek(), this.#surface()]
+    if (!document || !surface) return
+    const change = (stroke: LayerStroke, index: number) =>
+      withShape(stroke, fields, this.#selection.attachedEnds(index))
+    const changed = new Map(indices.map((index) => [index, change(document.strokes[index], index)]))
+    const all = this.mirrored.peek()
+      ? this.#counterparts.add(changed, document.strokes, surface, (other, _, index) => change(other, index))
+      : changed
+    const label = `Change the ${Object.keys(fields)} of ${nounOf(indices)}`
+    this.session.edit(label, (old) => replaceStrokes(old, all), this.#keyOf(`shape-${Object.keys(fields)}`))
   }
 
   /** Whether changes apply to new lines, because no line is chosen. */
@@ -252,125 +322,117 @@ export class LineEditor {
     return this.mode.peek() === 'draw' && !this.chosen.peek()
   }
 
-  /** Sets the group of the chosen line, or of new lines in draw mode. Adds an area with this name if there is none. */
+  /** Sets the group of the chosen lines, or of new lines in draw mode. Adds an area with this name if there is none. */
   setGroup(group: string): void {
     if (this.#isNew) {
       this.group.value = group
       return
     }
     const { canvas } = this.#surface() ?? {}
-    const stroke = this.chosen.peek()
-    if (!canvas || !stroke || group === '' || group === stroke.group) return
-    this.session.edit('Change the group of a line', (document) => {
-      const changed = { ...stroke, group }
-      return coverLine(replaceStroke(document, stroke, [changed]), changed, canvas)
-    })
+    const strokes = this.allChosen.peek().filter((stroke) => stroke.group !== group)
+    if (!canvas || strokes.length === 0 || group === '') return
+    this.session.edit(`Change the group of ${nounOf(strokes)}`, (document) =>
+      strokes.reduce((changed, stroke) => {
+        const own = { ...stroke, group }
+        return coverLine(replaceStroke(changed, stroke, [own]), own, canvas)
+      }, document),
+    )
   }
 
+  /** Sets the layer of the chosen lines, or of new lines in draw mode. */
   setLayer(layer: string): void {
-    if (this.#isNew) this.layer.value = layer
-    else this.#change('Change the layer of a line', (stroke) => [{ ...stroke, layer }])
+    if (this.#isNew) {
+      this.layer.value = layer
+      return
+    }
+    const { indices } = this.#selection
+    this.session.edit(`Change the layer of ${nounOf(indices)}`, (document) =>
+      replaceStrokes(
+        document,
+        new Map(indices.map((index) => [index, { ...document.strokes[index], layer }])),
+      ),
+    )
   }
 
-  /** Ends a gesture and its undo step. If the gesture moved a point out of the line's area, extends the area to keep the line visible. */
+  /** Ends a gesture and its undo step. If the gesture moved points out of the areas of their lines, extends the areas to keep the lines visible. */
   settle(): void {
-    this.#counterparts.clear()
-    if (this.#move) this.#coverPoint(this.#move)
+    this.#counterparts.forget()
+    if (this.#move) this.#coverPoints(this.#move)
     this.#move = null
+    this.#moved = new Set()
     this.session.settle()
   }
 
-  /** Extends areas to the moved point, in the same undo step as the move. */
-  #coverPoint({ indices, uv }: PointMove): void {
+  /** Extends areas to the moved points, in the same undo step as the move. */
+  #coverPoints(move: PointMove): void {
     const canvas = this.#surface()?.canvas
     if (!canvas) return
-    for (const index of indices) {
-      const document = this.session.document.peek()
-      const stroke = document?.strokes[index]
-      if (!stroke || isShownAt(document, stroke, uv)) continue
-      const cover = (old: StudioDocument) => coverLine(old, stroke, canvas)
-      this.session.edit('Move a point', cover, this.#keyOf('points'))
-    }
+    const cover = (document: StudioDocument) =>
+      [...this.#moved].reduce((covered, index) => {
+        const handle = move.hasHandle(index) ? move.uv : null
+        return coverMoved(covered, document.strokes[index], move.first[index], handle, canvas)
+      }, document)
+    this.session.edit(move.label, cover, this.#keyOf('points'))
   }
 
   #keyOf(gesture: string): string {
-    return `line-${this.#index.peek()}-${gesture}`
-  }
-
-  #add(label: string, stroke: NewLine): void {
-    const { canvas } = this.#surface()!
-    this.session.edit(label, (document) => addLine(document, stroke, canvas))
-    this.#index.value = this.session.document.peek()!.strokes.length - 1
-    this.point.value = -1
-  }
-
-  /** Changes the chosen line. Lines that end on it stay attached. @param removed index of a point that the change removes. */
-  #changeTrunk(
-    label: string,
-    make: (stroke: LayerStroke, surface: LineSurface) => LayerStroke,
-    removed?: number,
-  ): void {
-    const [stroke, surface, document] = [this.chosen.peek(), this.#surface(), this.session.document.peek()]
-    if (!stroke || !surface || !document) return
-    const forked = { strokes: document.strokes, forks: this.forks.peek(), lines: surface.lines }
-    const changed = pullBranches(forked, new Map([[this.#index.peek(), make(stroke, surface)]]), removed)
-    const all = this.#withCounterparts(changed, document)
-    this.session.edit(label, (old) => replaceStrokes(old, all))
+    return `line-${this.#selection.indices}-${gesture}`
   }
 
   /**
-   * Replaces the chosen line.
+   * Changes lines. Lines that end on them stay attached.
    *
-   * @param changeOther returns the changed counterpart of the line. Default: the counterpart does not change.
+   * @param removed index of a point that the change removes.
+   * @param key consecutive changes with the same key become one undo step.
    */
+  #changeTrunks(
+    label: string,
+    indices: readonly number[],
+    make: (stroke: LayerStroke, surface: LineSurface) => LayerStroke,
+    { removed, key }: { removed?: number; key?: string | undefined } = {},
+  ): void {
+    const [surface, document] = [this.#surface(), this.session.document.peek()]
+    if (indices.length === 0 || !surface || !document) return
+    const forked = { strokes: document.strokes, forks: this.forks.peek(), lines: surface.lines }
+    const made = new Map(indices.map((index) => [index, make(document.strokes[index], surface)]))
+    const all = this.#withCounterparts(pullBranches(forked, made, removed), document)
+    this.session.edit(label, (old) => replaceStrokes(old, all), key)
+  }
+
+  /** Replaces the main chosen line by one or several lines. */
   #change(
     label: string,
     make: (stroke: LayerStroke, surface: LineSurface) => readonly LayerStroke[],
     key?: string,
-    changeOther?: (other: LayerStroke) => LayerStroke,
   ): void {
-    const stroke = this.chosen.peek()
-    const surface = this.#surface()
+    const [stroke, surface] = [this.chosen.peek(), this.#surface()]
     if (!stroke || !surface) return
     const changed = make(stroke, surface)
     if (changed[0] === stroke) return
-    const other = changeOther && this.#counterpart()
-    const operation = (document: StudioDocument) => {
-      const own = other ? replaceStroke(document, other.stroke, [changeOther(other.stroke)]) : document
-      return replaceStroke(own, stroke, changed)
-    }
-    this.session.edit(label, operation, key && this.#keyOf(key))
-  }
-
-  /** Returns the counterpart of the chosen line. Null if there is none, or if `mirrored` is false. */
-  #counterpart(): { stroke: LayerStroke; index: number } | null {
-    const [document, surface] = [this.session.document.peek(), this.#surface()]
-    if (!this.mirrored.peek() || !document || !surface) return null
-    const index = this.#counterpartIndex(this.#index.peek(), document, surface)
-    return index < 0 ? null : { stroke: document.strokes[index], index }
-  }
-
-  #counterpartIndex(index: number, { strokes }: StudioDocument, surface: LineSurface): number {
-    const known = this.#counterparts.get(index)
-    if (known !== undefined) return known
-    const found = counterpartOf(strokes, index, surface)
-    this.#counterparts.set(index, found)
-    return found
+    this.session.edit(label, (document) => replaceStroke(document, stroke, changed), key && this.#keyOf(key))
   }
 
   /** Adds the counterparts of changed lines, as mirror images, if `mirrored` is true. @param document document before the change. */
   #withCounterparts(
     changed: ReadonlyMap<number, LayerStroke>,
-    document: StudioDocument,
+    { strokes }: StudioDocument,
   ): ReadonlyMap<number, LayerStroke> {
     const surface = this.#surface()
-    if (!this.mirrored.peek() || !surface) return changed
-    const all = new Map(changed)
-    for (const [index, stroke] of changed) {
-      const other = this.#counterpartIndex(index, document, surface)
-      if (other >= 0 && !changed.has(other))
-        all.set(other, mirrorOnto(stroke, document.strokes[other], surface))
-    }
-    return all
+    return this.mirrored.peek() && surface ? this.#counterparts.add(changed, strokes, surface) : changed
   }
+}
+
+/** Returns the label of an operation on lines: `Remove a line`, `Remove 3 lines`. */
+function labelOf(verb: string, lines: readonly unknown[]): string {
+  return `${verb} ${nounOf(lines)}`
+}
+
+function nounOf({ length }: readonly unknown[]): string {
+  return length > 1 ? `${length} lines` : 'a line'
+}
+
+/** Returns `LineEditor.reach` after a key press. */
+export function nextReach(reach: number, change: 'smaller' | 'larger'): number {
+  const next = reach + (change === 'larger' ? REACH_STEP : -REACH_STEP)
+  return Math.min(Math.max(next, REACH_RANGE[0]), REACH_RANGE[1])
 }

@@ -7,12 +7,15 @@ const COLOURS = {
   hovered: '#fff0dd',
   chosen: '#ff9d2e',
   shadow: 'rgb(40 20 10 / 40%)',
+  point: '#ffffff',
 }
 /** Minimum distance between drawn points of a polyline, CSS pixels. Points in between are skipped. */
 const STEP = 3
-/** Radii of points, CSS pixels. */
+/** Radii of points, CSS pixels: one that stays, and the one that is moved. */
 const POINT = 4
-const CHOSEN_POINT = 6
+const CHOSEN_POINT = 6.5
+/** Colour of a point that moves as much as the chosen one, as a fraction of the way from white to that point's colour. */
+const NEIGHBOUR = 0.7
 /** Half diagonals of the diamonds that mark forks, CSS pixels. */
 const FORK = 4
 const HANDLE_FORK = 7
@@ -48,7 +51,7 @@ export class LineOverlay {
   draw(picture: LinePicture): void {
     this.#canvas.hidden = false
     const context = this.#clear(this.#canvas)
-    this.#drawOthers(picture.lines.filter(({ stroke }) => stroke !== picture.chosen))
+    this.#drawOthers(picture.lines.filter(({ stroke }) => !picture.chosen.includes(stroke)))
     context.drawImage(this.#others, 0, 0, ...this.size)
     drawChosen(context, picture)
   }
@@ -76,17 +79,19 @@ export class LineOverlay {
   }
 }
 
-/** Draws the hovered line, the chosen line with its handles, all forks, and the path of the pointer. */
+/** Draws the hovered line, the chosen lines with the handles of the main one, all forks, and the path of the pointer. */
 export function drawChosen(
   context: CanvasRenderingContext2D,
-  { lines, chosen, handles, point, forks, hovered, path }: LinePicture,
+  { lines, chosen, handles, point, weights, forks, hovered, path }: LinePicture,
 ): void {
-  const over = lines.find(({ stroke }) => stroke === hovered && stroke !== chosen)
+  const over = lines.find(({ stroke }) => stroke === hovered && !chosen.includes(stroke))
   if (over) drawLine(context, over, 'hovered')
-  const own = lines.find(({ stroke }) => stroke === chosen)
-  if (own) drawLine(context, own, 'chosen')
+  for (const line of lines) if (chosen.includes(line.stroke)) drawLine(context, line, 'chosen')
+  const main = lines.find(({ stroke }) => stroke === chosen[0])
   for (const { x, y } of forks) drawDiamond(context, x, y, FORK, COLOURS.line)
-  if (own) for (const [i, handle] of handles.entries()) drawHandle(context, own, handle, i === point)
+  if (main)
+    for (const [i, handle] of handles.entries())
+      drawHandle(context, main, handle, i === point, weights[i] ?? 0)
   drawPath(context, path)
 }
 
@@ -139,15 +144,25 @@ function drawHandle(
   { x, y }: ProjectedLine,
   { place, fork }: Handle,
   isChosen: boolean,
+  weight: number,
 ): void {
-  const colour = isChosen ? COLOURS.chosen : '#fff'
+  const colour = isChosen ? COLOURS.chosen : blend(COLOURS.point, COLOURS.chosen, NEIGHBOUR * weight)
   if (fork) {
     drawDiamond(context, x[place], y[place], isChosen ? CHOSEN_FORK : HANDLE_FORK, colour)
     return
   }
   context.beginPath()
-  context.arc(x[place], y[place], isChosen ? CHOSEN_POINT : POINT, 0, 2 * Math.PI)
+  context.arc(x[place], y[place], POINT + weight * (CHOSEN_POINT - POINT), 0, 2 * Math.PI)
   fill(context, colour)
+}
+
+/** Returns the colour at a fraction of the way between two colours, `#rrggbb`. */
+function blend(from: string, to: string, t: number): string {
+  const channels = [1, 3, 5].map((i) => {
+    const [a, b] = [from, to].map((colour) => Number.parseInt(colour.slice(i, i + 2), 16))
+    return Math.round(a + t * (b - a))
+  })
+  return `rgb(${channels.join(' ')})`
 }
 
 function drawDiamond(

@@ -1,3 +1,4 @@
+import type { Uv } from 'furrow/author'
 import type { LayerStroke } from '../document/document.ts'
 import type { LineEditor } from '../lines/line-editor.ts'
 import {
@@ -14,6 +15,8 @@ import { acrossLine, DepthDrag } from './depth-drag.ts'
 
 /** Maximum distance at which the pointer hits a line, CSS pixels. */
 const ON_LINE = 8
+/** Distance that the pointer must move before a line is dragged, CSS pixels. */
+const THRESHOLD = 4
 /** Maximum distance at which the pointer hits a point of the chosen line, or a fork, CSS pixels. */
 const ON_POINT = 10
 
@@ -32,6 +35,8 @@ export interface LineStage {
 /** Pointer tool for wrinkle lines: chooses lines, moves their points and forks, and draws new lines. */
 export class LineTool implements StageTool {
   hovered: LayerStroke | null = null
+  /** Index of the handle under the pointer, or -1. */
+  hoveredPoint = -1
   /** Pointer path of the line that the user is drawing, CSS pixels. */
   path: { x: number; y: number }[] = []
   readonly #editor: LineEditor
@@ -41,6 +46,10 @@ export class LineTool implements StageTool {
   #isChanged = false
   /** Gesture that changes the depth of the chosen line, or null. */
   #depth: DepthDrag | null = null
+  /** Start of a gesture on a line between its points, or null. `along` is the place on the line. */
+  #between: { x: number; y: number; along: number; uv: Uv } | null = null
+  /** Line that a click chooses alone. A drag changes all chosen lines. */
+  #pressed: LayerStroke | null = null
   /** Lines that the current gesture has smoothed. */
   readonly #touched = new Set<number>()
 
@@ -90,6 +99,9 @@ export class LineTool implements StageTool {
     this.#forgetPath()
     if (points.length >= 2) this.#editor.draw(points)
     this.#editor.settle()
+    if (this.#pressed && !this.#isChanged) this.#editor.choose(this.#pressed)
+    this.#pressed = null
+    this.#between = null
     this.#isChanged = false
     this.#depth = null
     this.#touched.clear()
@@ -98,6 +110,8 @@ export class LineTool implements StageTool {
   cancel(): void {
     this.#forgetPath()
     this.#depth = null
+    this.#pressed = null
+    this.#between = null
     this.#touched.clear()
     if (!this.#isChanged) return
     this.#editor.settle()
@@ -110,8 +124,10 @@ export class LineTool implements StageTool {
     const found = pointer && mode !== 'draw' ? this.#lineAt(pointer)?.stroke : undefined
     if (mode === 'select')
       this.#stage.onSkin?.(found || !pointer ? null : (this.#stage.picker?.pick(pointer.ray) ?? null))
-    if ((found ?? null) === this.hovered) return
+    const point = pointer && mode === 'edit' ? this.#handleAt(pointer) : -1
+    if ((found ?? null) === this.hovered && point === this.hoveredPoint) return
     this.hovered = found ?? null
+    this.hoveredPoint = point
     this.#stage.onChange()
   }
 
@@ -123,11 +139,16 @@ export class LineTool implements StageTool {
     this.#editor.settle()
   }
 
-  /** Chooses the line at the pointer, and begins to change its depth. */
+  /** Chooses the line at the pointer, and begins to change the depth of the chosen lines. With Shift, adds or removes the line. */
   #grab(pointer: StagePointer): boolean {
     const hit = this.#lineAt(pointer)
     if (!hit) return false
-    this.#editor.choose(hit.stroke)
+    if (pointer.shift) {
+      this.#editor.toggle(hit.stroke)
+      return true
+    }
+    if (!this.#editor.allChosen.peek().includes(hit.stroke)) this.#editor.choose(hit.stroke)
+    this.#pressed = hit.stroke
     const line = this.#stage.lines.find(({ stroke }) => stroke === hit.stroke)
     if (line) this.#depth = new DepthDrag(pointer, hit.stroke.depth, acrossLine(line, hit.along))
     return true
@@ -167,23 +188,39 @@ export class LineTool implements StageTool {
     const hit = this.#lineAt(pointer)
     if (!hit) return false
     const fork = this.#forkAt(pointer)
-    if (hit.stroke !== this.#editor.chosen.peek()) {
-      if (fork) this.#editor.chooseFork(fork)
+    const all = this.#editor.allChosen.peek()
+    if (all.length > 1 && all.includes(hit.stroke) && !pointer.shift) this.#pressed = hit.stroke
+    if (hit.stroke !== all[0]) {
+      if (pointer.shift) this.#editor.toggle(hit.stroke)
+      else if (this.#pressed) this.#editor.makeMain(hit.stroke)
+      else if (fork) this.#editor.chooseFork(fork)
       else this.#editor.choose(hit.stroke)
     } else if (pointer.shift) {
       this.#editor.insertPoint(hit.along)
       this.#isChanged = true
     } else this.#editor.point.value = -1
+    const uv = this.#stage.picker?.pick(pointer.ray)?.uv
+    if (uv && !pointer.shift && this.#editor.point.peek() < 0)
+      this.#between = { x: pointer.x, y: pointer.y, along: hit.along, uv }
     return true
   }
 
-  /** Moves the chosen point to the pointer, unless the pointer is off the skin. */
+  /**
+   * Moves the chosen point to the pointer, unless the pointer is off the skin. With Alt, the point moves alone. If the gesture began between points
+   * of a line, moves the nearest point along with the pointer.
+   */
   #moveTo(pointers: readonly StagePointer[]): void {
     const last = pointers.at(-1)
-    if (!last || this.#editor.point.peek() < 0) return
+    if (!last) return
+    if (this.#between && this.#editor.point.peek() < 0) {
+      const { x, y, along } = this.#between
+      if (Math.hypot(last.x - x, last.y - y) < THRESHOLD) return
+      this.#editor.choosePointNear(along)
+    }
     const hit = this.#stage.picker?.pick(last.ray)
-    if (!hit) return
-    this.#editor.movePoint(hit.uv)
+    if (!hit || this.#editor.point.peek() < 0) return
+    if (this.#between) this.#editor.dragPoint(this.#between.uv, hit.uv, last.alt)
+    else this.#editor.movePoint(hit.uv, last.alt)
     this.#isChanged = true
   }
 

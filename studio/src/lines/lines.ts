@@ -2,17 +2,18 @@ import { effect, type ReadonlySignal, signal } from '@preact/signals'
 import { FurrowError, type GrayImage } from 'furrow'
 import type { SkinHit } from '../paint/picker.ts'
 import type { Session } from '../session/session.ts'
+import { shortcutOf } from '../shortcuts.ts'
 import { rayAt } from '../tools/ray-at.ts'
 import type { ToolHost } from '../tools/tool-host.ts'
 import type { Viewer } from '../viewer/viewer.ts'
 import { bindLineTool, type LineView } from './bind-line-tool.ts'
-import { LineEditor } from './line-editor.ts'
+import { LineEditor, nextReach } from './line-editor.ts'
 import { LineOverlay } from './line-overlay.ts'
 import { pictureOf } from './line-picture.ts'
 import { type LineSkin, readLineSkin } from './line-skin.ts'
 import { LineTool } from './line-tool.ts'
 import { LineProjection, type ProjectedLine } from './project-lines.ts'
-import { placeOfArea, placeOfLine, type SkinPlace } from './skin-place.ts'
+import { placeOfArea, placeOfLines, type SkinPlace } from './skin-place.ts'
 import { TextureLineView } from './texture-line-view.ts'
 
 /** Time without motion of the pointer after which the lines fade, milliseconds. */
@@ -76,15 +77,20 @@ export class Lines {
     stage.addEventListener('pointerup', () => this.#point(false))
     effect(() => {
       this.isShown.value
-      const { mode, chosen, point } = this.editor
+      const { mode, allChosen, point, reach } = this.editor
       if (mode.value === 'off') this.#overlay.hide()
-      chosen.value
+      allChosen.value
       point.value
+      reach.value
       this.#skin.value
       session.document.value
       this.#redraw()
     })
     bindLineTool(this.#tool, this.editor, { element: stage, host: tools, attempt })
+    addEventListener('keydown', (event) => {
+      const name = this.editor.mode.peek() === 'edit' ? shortcutOf('bending', event) : undefined
+      if (name) this.editor.reach.value = nextReach(this.editor.reach.peek(), name)
+    })
   }
 
   /**
@@ -137,14 +143,14 @@ export class Lines {
   }
 
   /**
-   * Returns the middle and the radius of the chosen line, or of an area, on the face in world space. Returns null if there is neither, or
+   * Returns the middle and the radius of the chosen lines, or of an area, on the face in world space. Returns null if there is neither, or
    * before the skin is ready.
    */
   placeOf(weights: GrayImage | null): SkinPlace | null {
-    const [skin, line] = [this.#skin.peek(), this.editor.chosen.peek()]
+    const [skin, lines] = [this.#skin.peek(), this.editor.allChosen.peek()]
     if (!skin) return null
     skin.follow()
-    if (line) return placeOfLine(skin, line)
+    if (lines.length > 0) return placeOfLines(skin, lines)
     return weights && placeOfArea(skin, weights)
   }
 
@@ -163,7 +169,8 @@ export class Lines {
     this.#lines = this.#projection.project(document.strokes, skin, camera, this.#overlay.size)
     const picture = pictureOf(this.editor, this.#tool, this.#lines)
     // While the pointer selects, all other lines would only hide the face.
-    const isSeen = ({ stroke }: ProjectedLine) => stroke === picture.chosen || stroke === picture.hovered
+    const isSeen = ({ stroke }: ProjectedLine) =>
+      picture.chosen.includes(stroke) || stroke === picture.hovered
     this.#overlay.draw(
       isSelecting ? { ...picture, lines: picture.lines.filter(isSeen), handles: [], forks: [] } : picture,
     )

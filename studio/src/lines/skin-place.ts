@@ -13,12 +13,14 @@ export interface SkinPlace {
 const STEP = 4
 const LEAST = 64
 
-export function placeOfLine(skin: LineSkin, stroke: LayerStroke): SkinPlace | null {
-  const line = skin.lineOf(stroke)
-  if (!line) return null
-  const points = line.triangles.map((triangle, i) =>
-    skin.picker.positionOf(triangle, line.weights.subarray(3 * i, 3 * i + 3), new Vector3()),
-  )
+export function placeOfLines(skin: LineSkin, strokes: readonly LayerStroke[]): SkinPlace | null {
+  const points = strokes.flatMap((stroke) => {
+    const line = skin.lineOf(stroke)
+    if (!line) return []
+    return line.triangles.map((triangle, i) =>
+      skin.picker.positionOf(triangle, line.weights.subarray(3 * i, 3 * i + 3), new Vector3()),
+    )
+  })
   return around(points)
 }
 

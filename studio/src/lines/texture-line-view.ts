@@ -44,6 +44,8 @@ export class TextureLineView {
       editor.mode.value
       editor.handles.value
       editor.point.value
+      editor.reach.value
+      editor.allChosen.value
       wake()
     })
   }

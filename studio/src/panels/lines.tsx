@@ -1,7 +1,7 @@
 import { BANK_WIDTHS, isBulge } from 'furrow/internal'
 import { useId } from 'preact/hooks'
 import { LINE } from '../labels.ts'
-import type { LineEditor, LineMode } from '../lines/line-editor.ts'
+import { type LineEditor, type LineMode, REACH_RANGE } from '../lines/line-editor.ts'
 import { type LineShape, meanTaper } from '../lines/line-shape.ts'
 import { NumberSlider } from './controls/number-slider.tsx'
 import { LineChoice, LinePoints } from './line-choice.tsx'
@@ -17,6 +17,17 @@ export function Lines({ model }: { model: PanelModel }) {
     <div class="settings">
       {!isNew && <LineChoice editor={lines} strokes={session.document.value?.strokes ?? []} />}
       <p class="hint">{hintOf(lines)}</p>
+      {lines.mode.value === 'edit' && (
+        <NumberSlider
+          label={LINE.reach}
+          range={[...REACH_RANGE, 0.5]}
+          value={lines.reach.value}
+          text={lines.reach.value.toFixed(1)}
+          onMove={(reach) => {
+            lines.reach.value = reach
+          }}
+        />
+      )}
       {chosen && <LinePoints editor={lines} actions={actions} />}
       {shape && (
         <>
@@ -44,9 +55,10 @@ function hintOf({ mode, chosen, handles }: LineEditor): string {
 
 const HINTS: Record<LineMode | 'chosen' | 'fork', string> = {
   off: 'Every wrinkle is a line.',
-  select: 'Drag across the line to make it deeper.',
-  edit: 'Click a line on the face, or choose it above.',
-  chosen: 'Drag a point to move it. Shift+click or double-click adds one, Delete removes it.',
+  select: 'Drag across the line to make it deeper. Shift+click chooses several lines.',
+  edit: 'Drag a line on the face, or choose one above. Shift+click chooses several lines.',
+  chosen:
+    'Drag the line or a point. Points within the reach follow ([ and ] change it); with Alt, a point moves alone. Shift+click or double-click adds a point, Delete removes it.',
   fork: 'A diamond is a fork: dragging it moves all lines that meet there.',
   draw: 'Draw on the skin. Drag beside the face to turn it.',
   smooth: 'Click a line, or drag over lines, to smooth them.',
@@ -175,21 +187,28 @@ function hasPoint({ handles, point }: LineEditor): boolean {
 }
 
 function Operations({ editor, attempt }: ControlsProps) {
+  const isSeveral = editor.allChosen.value.length > 1
   const buttons: readonly [label: string, title: string, action: () => void, isDisabled?: boolean][] = [
-    [LINE.smooth, 'Moves its points towards a smoother line', () => editor.smooth()],
-    [LINE.split, 'At the chosen point, or in the middle', () => editor.split()],
+    [LINE.smooth, 'Removes jitter, and keeps bends', () => editor.smooth()],
+    [LINE.split, 'At the chosen point, or in the middle', () => editor.split(), isSeveral],
     [LINE.mirror, 'Adds its mirror image', () => editor.mirror()],
     [
       LINE.detach,
       'Shortens the line where it ends on another line',
       () => editor.detach(),
-      editor.attachedEnds.value.length === 0,
+      isSeveral || editor.attachedEnds.value.length === 0,
     ],
-    [LINE.remove, '', () => editor.removeLine()],
+    [isSeveral ? LINE.removeLines : LINE.remove, '', () => editor.removeLine()],
     [LINE.removePoint, 'Removes the chosen point', () => editor.remove(), !hasPoint(editor)],
+    [
+      LINE.chooseGroup,
+      'Chooses all lines of the region',
+      () => editor.chooseGroup(),
+      editor.chosen.value?.group === undefined,
+    ],
   ]
   return (
-    <fieldset class="grid lines-actions" aria-label="Chosen line">
+    <fieldset class="grid lines-actions" aria-label={isSeveral ? 'Chosen lines' : 'Chosen line'}>
       {buttons.map(([label, title, action, isDisabled]) => (
         <button key={label} type="button" title={title} disabled={isDisabled} onClick={() => attempt(action)}>
           {label}

@@ -1,5 +1,5 @@
 import type { StudioArea } from '../document/document.ts'
-import { PLACES, regionLabel } from '../labels.ts'
+import { linesLabel, PLACES, regionLabel } from '../labels.ts'
 import type { PanelModel } from '../panels/model.ts'
 
 /** Selection that the inspector shows. */
@@ -20,6 +20,9 @@ export function selectedIn({ lines, areas, tools }: PanelModel): Selected {
   const line = lines.chosen.value
   if (line) {
     const { group, layer } = line
+    const count = lines.allChosen.value.length
+    if (count > 1)
+      return { kind: 'line', label: linesLabel(count), layer, ...(group !== undefined && { group }) }
     const label = group === undefined ? 'Line' : `Line of ${regionLabel(group)}`
     return { kind: 'line', label, layer, ...(group !== undefined && { group, fileName: group }) }
   }

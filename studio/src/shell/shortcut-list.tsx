@@ -11,6 +11,7 @@ const SCOPES: Record<Scope, string> = {
   painting: 'While painting',
   polygon: 'While a polygon is drawn',
   lines: 'On the face, while lines are edited',
+  bending: 'While lines are bent',
   linePoint: 'On a point of a line, in the panel',
   texture: 'On the texture',
   curve: 'On a point of a curve',

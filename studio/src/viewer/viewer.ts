@@ -22,7 +22,12 @@ import { areaDials, type Dial, targetDials } from './pose/dials.ts'
 import { DrivenAreas } from './pose/driven-areas.ts'
 import { FaceExpressions } from './pose/face-expressions.ts'
 import { MuscleTargets } from './pose/muscle-targets.ts'
-import { type Performance, performanceOf } from './pose/performance.ts'
+import {
+  expressionsShowing,
+  type Performance,
+  performanceOf,
+  type ShowingExpression,
+} from './pose/performance.ts'
 
 /** Draws one avatar on a canvas. A vertical divider separates the plain face (left) from the face with wrinkles (right). */
 export class Viewer {
@@ -181,6 +186,12 @@ export class Viewer {
   performanceOf(area: string): Performance | null {
     const names = this.targets.map(({ name }) => name)
     return performanceOf(area, this.driven.drivers.list, this.#expressions.list, names)
+  }
+
+  /** Returns the expressions that show an area, the strongest first. */
+  expressionsShowing(area: string): readonly ShowingExpression[] {
+    const names = this.targets.map(({ name }) => name)
+    return expressionsShowing(area, this.driven.drivers.list, this.#expressions.list, names)
   }
 
   get expressions(): readonly Expression[] {

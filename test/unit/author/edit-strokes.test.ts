@@ -1,12 +1,4 @@
-import {
-  insertPoint,
-  parseStrokes,
-  removePoint,
-  type Stroke,
-  skinCanvas,
-  smoothStroke,
-  splitStroke,
-} from 'furrow/author'
+import { insertPoint, parseStrokes, removePoint, type Stroke, skinCanvas, splitStroke } from 'furrow/author'
 import { middleOf, mirrorStroke, nearestOnStroke, splineOf, strokeCurves } from 'furrow/internal'
 import { describe, expect, it } from 'vitest'
 import { layOutStroke } from '../../../packages/furrow/src/author/strokes/lay-out.ts'
@@ -105,21 +97,6 @@ describe('points of a stroke', () => {
     const short = { ...wave, points: wave.points.slice(0, 2) }
     expect(() => removePoint(short, 0, canvas)).toThrow('removePoint: a stroke needs two points')
     expect(() => removePoint(wave, 5, canvas)).toThrow('removePoint: point index out of range')
-  })
-
-  it('are smoothed over the skin and across the seam, except for the ends', () => {
-    const zigzag = {
-      ...wave,
-      points: [0.7, 0.8, 0.9, 1.1, 1.2].map((turn, i) => uvOf(turn, i % 2 ? 34 : 26)),
-    }
-    const heights = (stroke: Stroke) =>
-      strokeCurves(stroke, canvas).flatMap(({ points }) => [...points.filter((_, i) => i % 3 === 1)])
-    const rangeOf = (stroke: Stroke) => Math.max(...heights(stroke)) - Math.min(...heights(stroke))
-    let smooth = zigzag
-    for (let n = 0; n < 8; n++) smooth = smoothStroke(smooth, 0.5, canvas)
-    expect([smooth.points[0], smooth.points[4]]).toEqual([zigzag.points[0], zigzag.points[4]])
-    expect(rangeOf(smooth)).toBeLessThan(0.3 * rangeOf(zigzag))
-    expectValid(smooth)
   })
 })
 

@@ -10,25 +10,16 @@ import {
 } from 'furrow/internal'
 import { describe, expect, it } from 'vitest'
 import { STROKE_DEFAULTS } from '../../../packages/furrow/src/author/strokes/document.ts'
-import { cylinder, HEIGHT, RADIUS, uvOf } from './skins.ts'
+import { cylinder, placeOf, RADIUS, strokeOn, uvOf } from './skins.ts'
 
 const skin = skinCanvas(cylinder(), 64)
 const lines = new StrokeLines(skin)
 /** Length of half a turn, millimetres. */
 const HALF_TURN = Math.PI * RADIUS
 
-/** Returns a stroke through points of the cylinder. */
-function stroke(points: readonly (readonly [turn: number, y: number])[], more: Partial<Stroke> = {}): Stroke {
-  const uvs = points.map(([turn, y]) => uvOf(turn, y))
-  return { ...STROKE_DEFAULTS, curve: 'spline', points: uvs, width: 2, depth: 1, taper: [0.2, 0], ...more }
-}
-
-/** Turn and height of a point, from UV coordinates. */
-function placeOf([u, v]: readonly [number, number]): [turn: number, y: number] {
-  return u < 0.5
-    ? [(u - 0.05) / 0.4, ((0.9 - v) * HEIGHT) / 0.8]
-    : [1 + (0.95 - u) / 0.4, ((v - 0.1) * HEIGHT) / 0.8]
-}
+/** Returns a stroke through points of the cylinder, which fades only at its start. */
+const stroke = (points: Parameters<typeof strokeOn>[0], more: Partial<Stroke> = {}) =>
+  strokeOn(points, { taper: [0.2, 0], ...more })
 
 /** Horizontal stroke at half the height, that crosses the seam at turn 1. Its points are 0.2 turns apart. */
 const trunk = stroke([0.5, 0.7, 0.9, 1.1, 1.3, 1.5].map((turn) => [turn, 30]))

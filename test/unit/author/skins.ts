@@ -1,4 +1,5 @@
-import type { MetricMesh } from 'furrow/author'
+import type { MetricMesh, Stroke } from 'furrow/author'
+import { STROKE_DEFAULTS } from '../../../packages/furrow/src/author/strokes/document.ts'
 
 /** Radius and height of the cylinder, millimetres. */
 export const RADIUS = 20
@@ -35,6 +36,22 @@ export function uvOf(turn: number, y: number): [number, number] {
   return turn <= 1
     ? [0.05 + 0.4 * turn, 0.9 - (0.8 * y) / HEIGHT]
     : [0.95 - 0.4 * (turn - 1), 0.1 + (0.8 * y) / HEIGHT]
+}
+
+/** Returns a stroke through points of the cylinder. */
+export function strokeOn(
+  points: readonly (readonly [turn: number, y: number])[],
+  more: Partial<Stroke> = {},
+): Stroke {
+  const uvs = points.map(([turn, y]) => uvOf(turn, y))
+  return { ...STROKE_DEFAULTS, curve: 'spline', points: uvs, width: 2, depth: 1, ...more }
+}
+
+/** Returns the turn and the height of a point of the cylinder, from its UV coordinates. */
+export function placeOf([u, v]: readonly [number, number]): [turn: number, y: number] {
+  return u < 0.5
+    ? [(u - 0.05) / 0.4, ((0.9 - v) * HEIGHT) / 0.8]
+    : [1 + (0.95 - u) / 0.4, ((v - 0.1) * HEIGHT) / 0.8]
 }
 
 /** Returns a sheet of 100 x 50 mm whose left and right half share texels: the UV layout is folded at x = 0. */

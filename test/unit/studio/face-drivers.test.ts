@@ -136,7 +136,6 @@ describe('drivers on the stage', () => {
     expect(activation).toBeCloseTo(0.25, 6)
     expect(given[2]!.combined).toBeCloseTo(0.25, 6)
     expect(given[2]!.activation).toBeCloseTo(0.625, 6)
-    expect(drivers.explain('brow')).toEqual(['0.25 of brow from', '0.25 by browInnerUp'])
   })
 
   it('are found by the blendshapes that they read, and inputs by their names', () => {

@@ -1,6 +1,8 @@
 import { AUTO_REGIONS } from 'furrow/author'
 import { expect, it, test } from 'vitest'
-import { regionLabel, regionName } from '../../../studio/src/labels.ts'
+import { BOTH_SIDES, CENTRAL } from '../../../packages/furrow/src/drivers/morph/aliases.ts'
+import { displayName } from '../../../studio/src/display-name.ts'
+import { blendshapeLabel, regionLabel, regionName } from '../../../studio/src/labels.ts'
 
 test.each([
   ['foreheadInnerLeft', 'Inner forehead, left'],
@@ -11,6 +13,24 @@ test.each([
   ['Left', 'Left'],
 ])('%s is called %s', (name, label) => {
   expect(regionLabel(name)).toBe(label)
+})
+
+test.each([
+  ['browDownLeft', 'Brow lowered, left'],
+  ['browInnerUp', 'Inner brows raised'],
+  ['jawLeft', 'Jaw to the left'],
+  ['Fcl_ALL_Joy', 'Fcl all joy'],
+])('the blendshape %s is called %s', (name, label) => {
+  expect(blendshapeLabel(name)).toBe(label)
+})
+
+it('blendshapes of ARKit have different everyday names', () => {
+  const names = [...CENTRAL, ...BOTH_SIDES.flatMap((name) => [`${name}Left`, `${name}Right`])]
+  const labels = names.map(blendshapeLabel)
+  expect(new Set(labels).size).toBe(52)
+  // Names without an entry in the table keep the words of the file.
+  const kept = names.filter((name, i) => labels[i] === displayName(name))
+  expect(kept).toEqual(['jawForward', 'jawOpen', 'tongueOut'])
 })
 
 it('automatic regions have different names', () => {

@@ -46,7 +46,8 @@ export {
   type StrokesDocument,
   type Uv,
 } from './strokes/document.ts'
-export { insertPoint, removePoint, smoothStroke } from './strokes/edit/points.ts'
+export { insertPoint, removePoint } from './strokes/edit/points.ts'
+export { smoothStroke } from './strokes/edit/smooth.ts'
 export { splitStroke } from './strokes/edit/split.ts'
 export { type HeightMap, strokesToHeight } from './strokes/height.ts'
 export { strokesToOnset } from './strokes/onset.ts'

@@ -1,21 +1,26 @@
-import { useComputed, useSignal } from '@preact/signals'
+import { signal, useComputed, useSignal } from '@preact/signals'
 import type { ExpressionDriver, WrinkleDriver } from 'furrow'
 import { useMemo } from 'preact/hooks'
 import { driverProblems } from '../../document/driver-problems.ts'
 import { areaOf } from '../../document/drivers.ts'
-import { PLACES, REGION } from '../../labels.ts'
+import { PLACES, problemsLabel, REGION } from '../../labels.ts'
 import { DriverEditor } from '../../session/driver-editor.ts'
 import type { PanelModel } from '../model.ts'
 import { AddDriver } from './add-driver.tsx'
 import { Conflicts } from './conflicts.tsx'
 import type { DriverContext } from './context.ts'
 import { DriverCard } from './driver-card.tsx'
+import { ShownBy } from './shown-by.tsx'
+import { Strongest } from './strongest.tsx'
 import { useThrottled } from './throttled.ts'
 
 /** A blendshape whose weight is at most this counts as not set. */
 const UNSET = 0.01
 
-/** Drivers of an area with their current contributions, and conflicts between their blendshapes. */
+/** Whether all drivers of a region are shown, not only the strongest. */
+const isAdvancedOpen = signal(false)
+
+/** Expressions that show an area, its strongest drivers, and below them all drivers and conflicts between blendshapes. */
 export function Drivers({ model, area }: { model: PanelModel; area: string }) {
   const { session, areas, viewer, revision, frame, actions } = model
   revision.value
@@ -57,16 +62,28 @@ export function Drivers({ model, area }: { model: PanelModel; area: string }) {
   )
   return (
     <>
+      <ShownBy area={area} model={model} />
+      <Strongest drivers={document.drivers} context={context} />
       <button type="button" onClick={() => areas.recordPose(area, actions.pose())}>
         {REGION.record}
       </button>
-      <details class="drivers" open>
+      <details
+        class="drivers"
+        open={isAdvancedOpen.value}
+        onToggle={({ currentTarget }) => {
+          isAdvancedOpen.value = currentTarget.open
+        }}
+      >
         <summary>
+          {PLACES.advanced}
+          {problems.size > 0 && <span class="problem">{problemsLabel(problems.size)}</span>}
+        </summary>
+        <h3>
           {PLACES.drivers}
           <output class="part" title="Activation now" aria-live="off">
             {sum}
           </output>
-        </summary>
+        </h3>
         {own.length === 0 && <p class="hint">Only its slider moves this region. Add a driver.</p>}
         {own.map(({ driver, index }) => (
           <DriverCard

@@ -1,6 +1,7 @@
 import { useComputed, useSignal } from '@preact/signals'
 import type { Curve, Link } from 'furrow'
 import { canonicalTargetName } from 'furrow/internal'
+import type { ComponentChildren } from 'preact'
 import { axisOf } from './axes.ts'
 import type { DriverContext } from './context.ts'
 import { CurveEditor } from './curve-editor.tsx'
@@ -22,7 +23,7 @@ interface LinkListProps {
 /** List of a driver's links: the blendshapes or areas that it reads, each with a factor and an optional curve. */
 export function LinkList({ index, context, links, names, noun, field }: LinkListProps) {
   const { editor } = context
-  const set = (next: readonly Link[], key = field as string) => editor.set(index, key, { [field]: next })
+  const set = (next: readonly Link[]) => editor.set(index, field, { [field]: next })
   const change = (i: number, fields: Partial<Link>) => {
     set(links.map((link, k) => (k === i ? { ...link, ...fields } : link)))
     editor.settle()
@@ -38,10 +39,7 @@ export function LinkList({ index, context, links, names, noun, field }: LinkList
           position={i}
           isOnly={links.length === 1}
           onChange={(fields) => change(i, fields)}
-          onBend={(curve) => {
-            const bent = links.map((other, k) => (k === i ? { ...other, curve } : other))
-            set(bent, `curve of ${field} ${i}`)
-          }}
+          curve={<LinkCurve {...{ index, context, links, field }} position={i} />}
           onRemove={() => {
             set(links.filter((_, k) => k !== i))
             editor.settle()
@@ -75,27 +73,26 @@ interface LinkRowProps {
   /** Whether this is the driver's only link. */
   isOnly: boolean
   onChange(fields: Partial<Link>): void
-  onBend(curve: Curve): void
+  /** Editor of the link's curve. */
+  curve: ComponentChildren
   onRemove(): void
 }
 
 function LinkRow({
   index,
-  context: { editor, now, slow },
+  context: { slow },
   link,
   position,
   names,
   noun,
   isOnly,
   onChange,
-  onBend,
+  curve: editor,
   onRemove,
 }: LinkRowProps) {
   const { name, weight, curve } = link
   const isOpen = useSignal(false)
-  const input = useComputed(() => now.value[index]?.inputs[position] ?? null)
   const part = useComputed(() => slow.value[index]?.links[position]?.toFixed(2) ?? '')
-  const shown = curve ?? LINE
   return (
     <>
       <div class="link">
@@ -141,18 +138,33 @@ function LinkRow({
           ×
         </button>
       </div>
-      {isOpen.value && (
-        <CurveEditor
-          label={`${name} alone`}
-          curve={shown}
-          axis={axisOf('fraction', name, shown)}
-          outputs={[-1000, 1000]}
-          now={input}
-          onMove={onBend}
-          onRest={() => editor.settle()}
-        />
-      )}
+      {isOpen.value && editor}
     </>
+  )
+}
+
+interface LinkCurveProps extends Pick<LinkListProps, 'index' | 'context' | 'links' | 'field'> {
+  /** Index of the link in the driver. */
+  position: number
+}
+
+/** Editor for the curve of a single link. */
+export function LinkCurve({ index, context: { editor, now }, links, field, position }: LinkCurveProps) {
+  const { name, curve = LINE } = links[position]
+  const input = useComputed(() => now.value[index]?.inputs[position] ?? null)
+  return (
+    <CurveEditor
+      label={`${name} alone`}
+      curve={curve}
+      axis={axisOf('fraction', name, curve)}
+      outputs={[-1000, 1000]}
+      now={input}
+      onMove={(next) => {
+        const bent = links.map((other, k) => (k === position ? { ...other, curve: next } : other))
+        editor.set(index, `curve of ${field} ${position}`, { [field]: bent })
+      }}
+      onRest={() => editor.settle()}
+    />
   )
 }
 

@@ -1,7 +1,7 @@
 import type { Link, WrinkleDriver } from 'furrow'
-import type { Contribution } from 'furrow/internal'
+import { type Contribution, canonicalTargetName } from 'furrow/internal'
 import { areaOf } from '../../document/drivers.ts'
-import { regionLabel } from '../../labels.ts'
+import { blendshapeLabel, regionLabel } from '../../labels.ts'
 import type { PanelModel } from '../model.ts'
 import { useThrottled } from './throttled.ts'
 import { driverTypeOf } from './types/types.ts'
@@ -13,6 +13,8 @@ const LEAST = 0.01
 
 interface Reason {
   label: string
+  /** Name of the area or the blendshape in the file. */
+  name?: string
   value: number
 }
 
@@ -25,19 +27,20 @@ export function Reasons({ area, model: { viewer, frame } }: { area: string; mode
   const activation = face.areas.find(({ name }) => name === area)?.read() ?? 0
   return (
     <div class="explanation">
-      <Bar label={regionLabel(area)} value={activation} />
+      <Bar label={regionLabel(area)} name={area} value={activation} />
       {reasonsOf(area, drivers.list, drivers.contributions()).map((reason) => (
-        <Bar key={reason.label} {...reason} />
+        <Bar key={reason.name ?? reason.label} {...reason} />
       ))}
     </div>
   )
 }
 
-function Bar({ label, value }: Reason) {
+function Bar({ label, name, value }: Reason) {
+  const shown = value.toFixed(2)
   return (
-    <div class="bar">
+    <div class="bar" title={name === undefined ? shown : `${name}: ${shown}`}>
       {label}
-      <meter aria-label={label} max={1} value={Number(value.toFixed(2))} />
+      <meter aria-label={label} max={1} value={Number(shown)} />
     </div>
   )
 }
@@ -52,7 +55,11 @@ function reasonsOf(
     if (!contribution || areaOf(driver) !== area) return []
     const { targets } = driver as { targets?: Link[] }
     if (driver.type === 'morph' && targets)
-      return targets.map(({ name }, k) => ({ label: name, value: contribution.links[k] }))
+      return targets.map(({ name }, k) => ({
+        label: blendshapeLabel(canonicalTargetName(name)),
+        name,
+        value: contribution.links[k],
+      }))
     return [{ label: driverTypeOf(driver.type)?.label ?? driver.type, value: contribution.activation }]
   })
   const seen = all.filter(({ value }) => value >= LEAST).sort((a, b) => b.value - a.value)

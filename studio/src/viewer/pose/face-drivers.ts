@@ -5,7 +5,6 @@ import {
   type DriverPlan,
   DriverProgram,
   type DriverState,
-  inputName,
   planDrivers,
   valueSource,
 } from 'furrow/internal'
@@ -72,20 +71,6 @@ export class FaceDrivers {
       const index = indices.get(driver)
       return index === undefined ? null : this.#program.explain(index, this.#state)
     })
-  }
-
-  /** Returns lines of text: for each driver of an area, its contribution and the share of each input. */
-  explain(area: string): string[] {
-    this.evaluate()
-    const lines = this.#program.activations.flatMap(({ activation }, i) => {
-      if (activation.area !== area) return []
-      const now = this.#program.explain(i, this.#state)
-      const parts = activation.links.map(
-        ({ input }, k) => `${now.links[k].toFixed(2)} by ${inputName(input)}`,
-      )
-      return [`${now.activation.toFixed(2)} of ${area} from`, ...parts]
-    })
-    return lines.length > 0 ? lines : [`${area} has no driver: only its slider moves it`]
   }
 
   /** Returns the blendshapes that drive an area, named like their dials. */

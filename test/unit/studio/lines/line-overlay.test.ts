@@ -54,7 +54,16 @@ describe('a line over the face', () => {
       })
       const lines = [projected(), projected(), projected()]
       const [first, second] = lines
-      const rest = { lines, chosen: first.stroke, point: -1, handles: [], forks: [], hovered: null, path: [] }
+      const rest = {
+        lines,
+        chosen: [first.stroke],
+        point: -1,
+        handles: [],
+        weights: [],
+        forks: [],
+        hovered: null,
+        path: [],
+      }
       const drawnBy = (picture: Partial<typeof rest> | { hovered: ProjectedLine['stroke'] }) => {
         const before = [...strokes]
         overlay.draw({ ...rest, ...picture })

@@ -58,6 +58,46 @@ test('a moved point moves the mirror image of the point', () => {
   expect(strokes()[2]).toBe(OTHER)
 })
 
+test('all points that move along have a live mirror image', () => {
+  const points = [0.1, 0.16, 0.22, 0.28, 0.34, 0.4].map((u): Uv => [u, 0.3])
+  session.open(
+    frozen({
+      ...sampleDocument(),
+      strokes: [{ ...strokeAt('browLeft', ...points), curve: 'spline' }, RIGHT],
+    }),
+  )
+  editor.choose(strokes()[0])
+  editor.point.value = 2
+  for (const v of [0.33, 0.36, 0.4]) {
+    editor.movePoint([0.22, v])
+    expect(strokes()[1].points.length).toBe(6)
+    for (const [i, [u, own]] of strokes()[0].points.entries()) {
+      const [mirrored, height] = strokes()[1].points[i]
+      expect([mirrored, height]).toEqual([expect.closeTo(1 - u), expect.closeTo(own)])
+    }
+    expect(strokes().map((stroke) => editor.isMoving(stroke))).toEqual([true, true])
+  }
+  // The neighbours have moved too.
+  expect(strokes()[0].points[3][1]).toBeGreaterThan(0.33)
+  editor.settle()
+  session.undo()
+  expect(strokes()[1]).toEqual(RIGHT)
+})
+
+test('several chosen lines take all their counterparts along', () => {
+  const strokesBefore = [LEFT, RIGHT, strokeAt('browLeft', [0.1, 0.6], [0.4, 0.6]), OTHER]
+  session.open(frozen({ ...sampleDocument(), strokes: strokesBefore }))
+  editor.choose(strokes()[0])
+  editor.toggle(strokes()[2])
+  editor.setShape({ depth: 1 })
+  expect(strokes().map(({ depth }) => depth)).toEqual([1, 1, 1, 1])
+  editor.removeLine()
+  expect(strokes()).toEqual([])
+  session.undo()
+  session.undo()
+  expect(strokes()).toEqual(strokesBefore)
+})
+
 test('a deleted line takes its counterpart along, in one step', () => {
   editor.removeLine()
   expect(strokes().map(({ group }) => group)).toEqual(['browRight', 'brow'])

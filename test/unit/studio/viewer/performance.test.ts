@@ -1,6 +1,6 @@
 import { type Expression, parseDrivers } from 'furrow'
 import { expect, it } from 'vitest'
-import { performanceOf } from '../../../../studio/src/viewer/pose/performance.ts'
+import { expressionsShowing, performanceOf } from '../../../../studio/src/viewer/pose/performance.ts'
 
 const TARGETS = ['brow_up', 'browDown', 'jawOpen', 'cheek']
 const drivers = parseDrivers(
@@ -30,6 +30,19 @@ it('the expression that shows an area is the one that drives it most, also throu
   expect(targetsOf('forehead')).toEqual({ brow_up: 0.9, jawOpen: 0.5 })
   expect(targetsOf('both')).toEqual({ brow_up: 0.9, jawOpen: 0.5 })
   expect(targetsOf('frown')).toEqual({ browDown: 0.8 })
+})
+
+it('the expressions that show an area are those that drive it visibly, the strongest first', () => {
+  const shown = (area: string) =>
+    expressionsShowing(area, drivers, [...expressions, expressionOf('calm', { brow_up: 0.15 })], TARGETS).map(
+      ({ name, activation }) => [name, Number(activation.toFixed(2))],
+    )
+  expect(shown('forehead')).toEqual([
+    ['surprised', 0.9],
+    ['afraid', 0.6],
+  ])
+  expect(shown('chin')).toEqual([['angry', 0.7]])
+  expect(shown('cheeks')).toEqual([])
 })
 
 it('the expression that shows an area may activate the area itself', () => {

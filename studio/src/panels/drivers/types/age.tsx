@@ -1,5 +1,5 @@
 import { AGES, type AgeDriver } from 'furrow/internal'
-import { axisOf } from '../axes.ts'
+import { type Axis, axisOf } from '../axes.ts'
 import type { FormProps } from '../context.ts'
 import { DriverCurve } from '../fields.tsx'
 import { InputSlider } from '../input-slider.tsx'
@@ -7,6 +7,7 @@ import type { DriverType } from './driver-type.ts'
 
 export const age: DriverType<AgeDriver> = {
   label: 'Age',
+  axis: inputAxis,
   create: (area) => ({
     type: 'age',
     area,
@@ -18,8 +19,14 @@ export const age: DriverType<AgeDriver> = {
   Form: AgeForm,
 }
 
-function AgeForm({ driver: { curve }, index, context }: FormProps<AgeDriver>) {
-  const axis = axisOf('age', 'Age, years', curve)
+/** Returns the input axis of the driver's curve. */
+function inputAxis({ curve }: AgeDriver): Axis {
+  return axisOf('age', 'Age, years', curve)
+}
+
+function AgeForm({ driver, index, context }: FormProps<AgeDriver>) {
+  const { curve } = driver
+  const axis = inputAxis(driver)
   return (
     <>
       <DriverCurve {...{ index, context, curve, axis }} />

@@ -1,5 +1,5 @@
 import type { AreaDriver } from 'furrow'
-import { axisOf } from '../axes.ts'
+import { type Axis, axisOf } from '../axes.ts'
 import type { FormProps } from '../context.ts'
 import { DriverCurve } from '../fields.tsx'
 import { LinkList } from '../link-list.tsx'
@@ -9,6 +9,7 @@ import { RuleField } from './rule-field.tsx'
 export const area: DriverType<AreaDriver> = {
   label: 'Other areas',
   reads: ({ areas }) => namesOf(areas),
+  axis: inputAxis,
   create: (area, { areas }) => {
     const other = areas.find(({ name }) => name !== area)
     return other ? { type: 'area', area, areas: [{ name: other.name }] } : null
@@ -16,15 +17,19 @@ export const area: DriverType<AreaDriver> = {
   Form: AreaForm,
 }
 
+/** Returns the input axis of the driver's curve. */
+function inputAxis({ areas, curve }: AreaDriver): Axis {
+  return axisOf('fraction', areas.length === 1 ? areas[0].name : 'Together', curve)
+}
+
 function AreaForm({ driver, index, context }: FormProps<AreaDriver>) {
   const { areas, rule, curve } = driver
   const others = context.areas.filter((name) => name !== context.area)
-  const label = areas.length === 1 ? areas[0].name : 'Together'
   return (
     <>
       <LinkList {...{ index, context }} links={areas} names={others} noun="area" field="areas" />
       {areas.length > 1 && <RuleField {...{ rule, index, context }} />}
-      <DriverCurve {...{ index, context, curve }} axis={axisOf('fraction', label, curve)} />
+      <DriverCurve {...{ index, context, curve }} axis={inputAxis(driver)} />
     </>
   )
 }

@@ -1,6 +1,6 @@
 import type { BoneDriver } from 'furrow'
 import { jointsOf } from '../../../viewer/pose/joints.ts'
-import { axisOf } from '../axes.ts'
+import { type Axis, axisOf } from '../axes.ts'
 import type { FormProps } from '../context.ts'
 import { DriverCurve, optionsOf, SelectField, VectorSetting } from '../fields.tsx'
 import type { DriverType } from './driver-type.ts'
@@ -8,6 +8,7 @@ import type { DriverType } from './driver-type.ts'
 export const bone: DriverType<BoneDriver> = {
   label: 'Joint',
   reads: ({ joints }) => joints[1],
+  axis: inputAxis,
   create: (area, _document, { joints }) =>
     joints[0] ? { type: 'bone', area, joints: joints[0], measure: 'angle', curve: CURVES.angle } : null,
   Form: BoneForm,
@@ -17,6 +18,11 @@ const MEASURES = [
   ['angle', 'Angle'],
   ['distance', 'Distance'],
 ] as const
+
+/** Returns the input axis of the driver's curve. */
+function inputAxis({ measure, joints, curve }: BoneDriver): Axis {
+  return axisOf(measure, joints[1], curve)
+}
 
 function BoneForm({ driver, index, context }: FormProps<BoneDriver>) {
   const { joints, measure, axis, curve } = driver
@@ -72,7 +78,7 @@ function BoneForm({ driver, index, context }: FormProps<BoneDriver>) {
           onChange={(next) => set('axis', { axis: next })}
         />
       )}
-      <DriverCurve {...{ index, context, curve }} axis={axisOf(measure, joints[1], curve)} />
+      <DriverCurve {...{ index, context, curve }} axis={inputAxis(driver)} />
     </>
   )
 }

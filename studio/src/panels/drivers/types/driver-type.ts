@@ -2,6 +2,7 @@ import type { DriverType as TypeName, WrinkleDriver } from 'furrow'
 import type { FunctionComponent } from 'preact'
 import type { StudioDocument } from '../../../document/document.ts'
 import { freeName } from '../../../document/names.ts'
+import type { Axis } from '../axes.ts'
 import type { FormProps } from '../context.ts'
 
 /** Types of drivers that activate an area. A driver of the type `conflict` has no area. */
@@ -12,6 +13,8 @@ export interface DriverType<Driver> {
   readonly label: string
   /** Returns the names of a driver's inputs, for its heading. */
   reads?(driver: Driver): string
+  /** Returns the input axis of a driver's curve. Drivers without a curve lack this function. */
+  axis?(driver: Driver): Axis
   /** Creates a driver with defaults, or returns null if the face or the document has no suitable input. */
   create(area: string, document: StudioDocument, face: Drivable): WrinkleDriver | null
   readonly Form: FunctionComponent<FormProps<Driver>>

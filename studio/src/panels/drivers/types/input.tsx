@@ -1,5 +1,5 @@
 import type { InputDriver } from 'furrow'
-import { axisOf } from '../axes.ts'
+import { type Axis, axisOf } from '../axes.ts'
 import type { FormProps } from '../context.ts'
 import { DriverCurve, NameField } from '../fields.tsx'
 import { InputSlider } from '../input-slider.tsx'
@@ -8,6 +8,7 @@ import { type DriverType, freeDriverName } from './driver-type.ts'
 export const input: DriverType<InputDriver> = {
   label: 'Number',
   reads: ({ name }) => name,
+  axis: inputAxis,
   create: (area, document) => ({
     type: 'input',
     area,
@@ -20,8 +21,14 @@ export const input: DriverType<InputDriver> = {
   Form: InputForm,
 }
 
-function InputForm({ driver: { name, curve }, index, context }: FormProps<InputDriver>) {
-  const axis = axisOf('number', name, curve)
+/** Returns the input axis of the driver's curve. */
+function inputAxis({ name, curve }: InputDriver): Axis {
+  return axisOf('number', name, curve)
+}
+
+function InputForm({ driver, index, context }: FormProps<InputDriver>) {
+  const { name, curve } = driver
+  const axis = inputAxis(driver)
   return (
     <>
       <NameField

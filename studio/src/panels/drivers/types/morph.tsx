@@ -1,5 +1,5 @@
 import type { MorphDriver } from 'furrow'
-import { axisOf } from '../axes.ts'
+import { type Axis, axisOf } from '../axes.ts'
 import type { FormProps } from '../context.ts'
 import { DriverCurve } from '../fields.tsx'
 import { LinkList } from '../link-list.tsx'
@@ -9,6 +9,7 @@ import { RuleField } from './rule-field.tsx'
 export const morph: DriverType<MorphDriver> = {
   label: 'Blendshapes',
   reads: ({ targets }) => namesOf(targets),
+  axis: inputAxis,
   create: (area, _document, { pose, targets }) => {
     const [strongest] = [...pose].sort(([, a], [, b]) => b - a)
     const name = strongest?.[0] ?? targets[0]
@@ -17,9 +18,13 @@ export const morph: DriverType<MorphDriver> = {
   Form: MorphForm,
 }
 
+/** Returns the input axis of the driver's curve. */
+function inputAxis({ targets, curve }: MorphDriver): Axis {
+  return axisOf('fraction', targets.length === 1 ? targets[0].name : 'Together', curve)
+}
+
 function MorphForm({ driver, index, context }: FormProps<MorphDriver>) {
   const { targets, rule, curve } = driver
-  const label = targets.length === 1 ? targets[0].name : 'Together'
   return (
     <>
       <LinkList
@@ -30,7 +35,7 @@ function MorphForm({ driver, index, context }: FormProps<MorphDriver>) {
         field="targets"
       />
       {targets.length > 1 && <RuleField {...{ rule, index, context }} />}
-      <DriverCurve {...{ index, context, curve }} axis={axisOf('fraction', label, curve)} />
+      <DriverCurve {...{ index, context, curve }} axis={inputAxis(driver)} />
     </>
   )
 }

@@ -1,12 +1,13 @@
 import type { TensionDriver } from 'furrow'
 import { NumberSlider } from '../../controls/number-slider.tsx'
-import { axisOf } from '../axes.ts'
+import { type Axis, axisOf } from '../axes.ts'
 import type { FormProps } from '../context.ts'
 import { DriverCurve, SelectField } from '../fields.tsx'
 import type { DriverType } from './driver-type.ts'
 
 export const tension: DriverType<TensionDriver> = {
   label: 'Skin tension',
+  axis: inputAxis,
   create: (area) => ({
     type: 'tension',
     area,
@@ -20,8 +21,13 @@ export const tension: DriverType<TensionDriver> = {
   Form: TensionForm,
 }
 
-function TensionForm({ driver: { measure, direction, curve }, index, context }: FormProps<TensionDriver>) {
-  const label = measure === 'compression' ? 'Shortened by' : 'Lengthened by'
+/** Returns the input axis of the driver's curve. */
+function inputAxis({ measure, curve }: TensionDriver): Axis {
+  return axisOf('tension', measure === 'compression' ? 'Shortened by' : 'Lengthened by', curve)
+}
+
+function TensionForm({ driver, index, context }: FormProps<TensionDriver>) {
+  const { measure, direction, curve } = driver
   const turn = (angle: number | null) =>
     context.editor.set(index, 'direction', { direction: angle === null ? undefined : directionAt(angle) })
   return (
@@ -60,7 +66,7 @@ function TensionForm({ driver: { measure, direction, curve }, index, context }: 
           onRest={() => context.editor.settle()}
         />
       )}
-      <DriverCurve {...{ index, context, curve }} axis={axisOf('tension', label, curve)} />
+      <DriverCurve {...{ index, context, curve }} axis={inputAxis(driver)} />
     </>
   )
 }

@@ -33,6 +33,14 @@ export interface Fork {
   trunks: readonly Trunk[]
 }
 
+/** Strokes and their forks. */
+export interface ForkedStrokes<S extends Stroke> {
+  strokes: readonly S[]
+  /** Result of `findForks`. */
+  forks: readonly Fork[]
+  lines: StrokeLines
+}
+
 /** Line with the data of a search: its index and its bounding box, widened by `TOUCH`. */
 interface Searched {
   stroke: number
@@ -145,7 +153,8 @@ function normalOf(line: StrokeLine, i: number, { surface }: LocatedSkin): Float6
   return normal
 }
 
-function pointAt({ points }: StrokeLine, i: number): Float64Array {
+/** Returns xyz of a point of a line. */
+export function pointAt({ points }: StrokeLine, i: number): Float64Array {
   return points.subarray(3 * i, 3 * i + 3)
 }
 

@@ -1,18 +1,11 @@
 import { lerp } from '../../../math/scalar.ts'
 import type { Stroke, Uv } from '../document.ts'
-import { type Fork, TOUCH } from './forks.ts'
+import { type Fork, type ForkedStrokes, TOUCH } from './forks.ts'
+import { grabPoint, withPoint } from './grab.ts'
 import { insertPoint } from './points.ts'
 import { splineOf } from './spline-of.ts'
 import type { StrokeLine, StrokeLines } from './stroke-lines.ts'
 import { uvOf } from './traced-stroke.ts'
-
-/** Strokes and their forks. */
-export interface ForkedStrokes<S extends Stroke> {
-  strokes: readonly S[]
-  /** Result of `findForks`. */
-  forks: readonly Fork[]
-  lines: StrokeLines
-}
 
 /** Changed strokes. The keys are their indices. */
 export type ChangedStrokes<S extends Stroke> = Map<number, S>
@@ -47,31 +40,34 @@ export function knotAt({ lengths, knots }: StrokeLine, place: number): number {
  * Moves all strokes that meet in a fork: their ends, and the points of its trunks (`withForkPoints`).
  *
  * @param uv new position of the fork.
+ * @param radius arc length up to which neighbouring points move too, millimetres.
  */
 export function moveFork<S extends Stroke>(
   forked: ForkedStrokes<S>,
-  { ends, trunks }: Fork,
+  fork: Fork,
   uv: Uv,
+  radius = 0,
 ): ChangedStrokes<S> {
   const { strokes, lines } = forked
   const changed: ChangedStrokes<S> = new Map()
-  for (const { stroke, end } of ends) changed.set(stroke, withEnd(strokes[stroke], end, uv, lines))
-  for (const { stroke, place } of trunks) {
+  const move = (stroke: number, knot: number) =>
+    changed.set(stroke, grabPoint(forked, stroke, knot, { uv, radius, moved: fork }))
+  for (const { stroke, end } of fork.ends) move(stroke, endKnot(strokes[stroke], end, lines))
+  for (const { stroke, place } of fork.trunks) {
     const line = lines.lineOf(strokes[stroke])
     const knot = line ? knotAt(line, place) : -1
-    if (knot >= 0) changed.set(stroke, withPoint(strokes[stroke], knot, uv, lines))
+    if (knot >= 0) move(stroke, knot)
   }
   return pullBranches(forked, changed)
 }
 
-/** Moves a point of a stroke, given by its index in the spline that `splineOf` returns for the stroke. */
-export function withPoint<S extends Stroke>(stroke: S, knot: number, uv: Uv, { skin }: StrokeLines): S {
-  const spline = splineOf(stroke, skin)
-  return { ...spline, points: spline.points.with(knot, uv) }
+function withEnd<S extends Stroke>(stroke: S, end: 0 | 1, uv: Uv, lines: StrokeLines): S {
+  return withPoint(stroke, endKnot(stroke, end, lines), uv, lines)
 }
 
-function withEnd<S extends Stroke>(stroke: S, end: 0 | 1, uv: Uv, lines: StrokeLines): S {
-  return withPoint(stroke, end === 0 ? 0 : splineOf(stroke, lines.skin).points.length - 1, uv, lines)
+/** Returns the index of a stroke's first or last point in its spline. */
+function endKnot(stroke: Stroke, end: 0 | 1, { skin }: StrokeLines): number {
+  return end === 0 ? 0 : splineOf(stroke, skin).points.length - 1
 }
 
 /**

@@ -1,13 +1,8 @@
 import { FurrowError } from '../../../core/error.ts'
-import { length, length3 } from '../../../math/vector.ts'
-import { barycentricsAt, positionAt, walk } from '../../skin/walk.ts'
 import type { LocatedSkin } from '../curve.ts'
 import type { Stroke } from '../document.ts'
 import { splineOf } from './spline-of.ts'
-import { clamped, knotsOf, traceStroke, uvOf } from './traced-stroke.ts'
-
-/** Maximum step length in millimetres with which `smoothStroke` moves a point: `walk` can cross only a few triangles per call. */
-const STEP = 0.5
+import { knotsOf, traceStroke, uvOf } from './traced-stroke.ts'
 
 /**
  * Inserts a control point on the line of a stroke (a wrinkle). The insertion moves the line by at most 0.1 mm.
@@ -50,46 +45,6 @@ export function removePoint<S extends Stroke>(stroke: S, index: number, skin: Lo
     })
   }
   return { ...spline, points: spline.points.toSpliced(index, 1) }
-}
-
-/**
- * Smooths a stroke: moves each inner point over the skin towards the straight line between its neighbours. The ends stay.
- *
- * @param amount strength, 0..1: 0 leaves the points in place, 1 moves them to the straight line.
- * @returns the stroke, converted to a spline by `splineOf`.
- */
-export function smoothStroke<S extends Stroke>(stroke: S, amount: number, skin: LocatedSkin): S {
-  const { surface, locator } = skin
-  const spline = splineOf(stroke, skin)
-  const weights = new Float64Array(3)
-  const places = spline.points.map(([u, v]) => {
-    const triangle = locator.find(u, v, weights)
-    const position = new Float64Array(3)
-    if (triangle >= 0) positionAt(position, surface, triangle, weights)
-    return { triangle, position }
-  })
-  const points = spline.points.map((uv, i) => {
-    const [before, own, after] = [places[i - 1], places[i], places[i + 1]]
-    if (!before || !after || [before, own, after].some(({ triangle }) => triangle < 0)) return uv
-    const [near, far] = [before, after].map(({ position }) => distance(position, own.position))
-    const step = own.position.map(
-      (value, k) =>
-        amount * ((far * before.position[k] + near * after.position[k]) / (near + far || 1) - value),
-    )
-    const position = own.position.slice()
-    let { triangle } = own
-    const steps = Math.ceil(length(step) / STEP)
-    for (let n = 0; n < steps && triangle >= 0; n++)
-      triangle = walk(surface, triangle, position, step, length(step) / steps)
-    if (triangle < 0) return uv
-    barycentricsAt(weights, surface, triangle, position)
-    return clamped(locator.uvAt(triangle, weights))
-  })
-  return { ...spline, points }
-}
-
-function distance(a: Float64Array, b: Float64Array): number {
-  return length3(a[0] - b[0], a[1] - b[1], a[2] - b[2])
 }
 
 export function checkIndex(who: string, index: number, lowest: number, highest: number): void {

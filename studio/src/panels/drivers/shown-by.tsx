@@ -1,0 +1,43 @@
+import { useMemo } from 'preact/hooks'
+import { expressionLabel, WHEN } from '../../labels.ts'
+import type { PanelModel } from '../model.ts'
+
+/** Maximum number of pictures. Avatars can have hundreds of expressions. */
+const MOST = 9
+
+/** Pictures of the expressions that show an area, the strongest first. Pressing one plays it. */
+export function ShownBy({ area, model }: { area: string; model: PanelModel }) {
+  const { viewer, revision, expression, pictures, actions } = model
+  revision.value
+  const face = viewer.value
+  const drivers = face?.driven.drivers.list
+  const expressions = face?.expressions
+  // The lists of drivers and expressions are new objects after each change.
+  const shown = useMemo(
+    () => face?.expressionsShowing(area).slice(0, MOST) ?? [],
+    [face, area, drivers, expressions],
+  )
+  const urls = pictures.urls.value
+  if (shown.length === 0) return <p class="hint">{WHEN.noExpression}</p>
+  return (
+    <fieldset class="poses shown-by" aria-label={WHEN.expressions}>
+      {shown.map(({ name, activation }) => {
+        const label = expressionLabel(name)
+        const text = `${label} shows it to ${Math.round(100 * activation)}%`
+        return (
+          <button
+            key={name}
+            type="button"
+            aria-label={text}
+            title={text}
+            aria-pressed={expression.value === name}
+            onClick={() => actions.play(name)}
+          >
+            {urls.has(name) ? <img src={urls.get(name)} alt="" /> : <span class="blank" />}
+            {label}
+          </button>
+        )
+      })}
+    </fieldset>
+  )
+}
