@@ -272,3 +272,26 @@ export async function dropPlain(page: Page, folder: string, area: string): Promi
   await dropPaths(page, [join(folder, 'plain.glb')], 'Plain')
   await areaChoice(page, area).waitFor()
 }
+
+/**
+ * Saves screenshots at several sizes of the window, if `FURROW_STUDIO_PICTURES` names a folder. The window keeps the last size.
+ *
+ * @param shown element to scroll the panel to.
+ */
+export async function savePictures(
+  page: Page,
+  name: string,
+  sizes: readonly { width: number; height: number }[],
+  shown?: Locator,
+): Promise<void> {
+  const folder = process.env.FURROW_STUDIO_PICTURES
+  if (!folder) return
+  for (const size of sizes) {
+    await page.setViewportSize(size)
+    await shown?.evaluate((element) => element.scrollIntoView({ block: 'center' }))
+    await page.evaluate(() => new Promise((resolve) => setTimeout(resolve, 500)))
+    await sharp(await page.screenshot())
+      .webp({ quality: 85 })
+      .toFile(join(folder, `${name}-${size.width}.webp`))
+  }
+}

@@ -20,6 +20,7 @@ import {
   meanPngDifference,
   openRecent,
   prefer,
+  savePictures,
   shootAside,
   showSliders,
   showTab,
@@ -342,22 +343,9 @@ const lineIn = (box: Box) => overlayPixel(box, [255, 207, 155])
 /** Finds a pixel on a control point of the selected line, by the colour of points. */
 const knotIn = (box: Box) => overlayPixel(box, [255, 255, 255])
 
-/**
- * Saves screenshots for `docs/studio.md`, at the sizes of a window and a phone, if `FURROW_STUDIO_PICTURES` names a folder.
- *
- * @param shown element to scroll the panel to.
- */
+/** Saves pictures for `docs/studio.md`. @param shown element to scroll the panel to. */
 async function picture(name: string, shown?: Locator): Promise<void> {
-  const folder = process.env.FURROW_STUDIO_PICTURES
-  if (!folder) return
-  for (const size of PICTURES) {
-    await page.setViewportSize(size)
-    await shown?.evaluate((element) => element.scrollIntoView({ block: 'center' }))
-    await page.evaluate(() => new Promise((resolve) => setTimeout(resolve, 500)))
-    await sharp(await page.screenshot())
-      .webp({ quality: 85 })
-      .toFile(join(folder, `${name}-${size.width}.webp`))
-  }
+  await savePictures(page, name, PICTURES, shown)
   await page.setViewportSize(WINDOW)
 }
 
