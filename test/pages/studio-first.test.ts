@@ -54,7 +54,7 @@ test('a dropped avatar performs while the divider crosses its face, and any inpu
 })
 
 test('each hint disappears when the user has done what it says', async () => {
-  await areaChoice(page, 'foreheadInnerLeft').check()
+  await areaChoice(page, 'crowsFeetLeft').check()
   await hint('Drag across the line').waitFor()
   await slider(page, 'Depth, mm').press('ArrowRight')
   await hint('Press 1 to 9').waitFor()
@@ -71,7 +71,7 @@ test('a reload continues with the work, its expression and its view', async () =
   await waitUntilReady(page)
   await page.getByRole('button', { name: 'Project Plain' }).waitFor()
   await eventually(async () => expect(await button(page, 'Left').getAttribute('aria-pressed')).toBe('true'))
-  await areaChoice(page, 'foreheadInnerLeft').check()
+  await areaChoice(page, 'crowsFeetLeft').check()
   await expectValue(slider(page, 'Depth, mm'), depth)
 })
 

@@ -8,9 +8,13 @@ import { edited } from './strokes.ts'
 /** Driver with a curve whose outputs are activations. */
 type CurvedDriver = WrinkleDriver & { curve: [number, number][] }
 
-/** Whether a stroke belongs to an area. The group of a stroke that crosses the middle of the face has no side. */
+/**
+ * Whether a stroke belongs to an area. The group of a stroke that crosses the middle of the face has no side. The areas of the forehead share
+ * strokes, whose group is one of these areas.
+ */
 function isIn({ group }: LayerStroke, area: string): boolean {
-  return group === area || (group !== undefined && group === splitSide(area)[0])
+  if (group === undefined) return false
+  return [area, ...sidesOfLines(area)].some((name) => group === name || group === splitSide(name)[0])
 }
 
 /** Returns the strokes of an area. */

@@ -26,6 +26,13 @@ it('the depth of one side also scales lines that both sides share', () => {
   expect(setDepth(shared, 'browLeft', 1).strokes[0].depth).toBe(1)
 })
 
+it('all regions of the forehead set the depth of the lines that they share', () => {
+  const shared = { ...document, strokes: [strokeOf('folds', 'foreheadOuter')] }
+  expect(depthOf(shared, 'foreheadInnerLeft')).toBe(0.5)
+  expect(setDepth(shared, 'foreheadInnerRight', 1).strokes[0].depth).toBe(1)
+  expect(depthOf(shared, 'glabellaLeft')).toBe(0)
+})
+
 it('the strength of a region is the largest activation that its drivers give', () => {
   expect(strengthOf(document, 'frown')).toBe(1)
   const weak = setStrength(document, 'frown', 0.4)
