@@ -38,7 +38,7 @@ export function keepFocus(page: HTMLElement): void {
 }
 
 /**
- * Focused element and its position on the page: its ancestors below the landmark (`main`, `aside` or `dialog`), each with the index of the
+ * Focused element and its position on the page: its ancestors below the landmark (`main`, `aside` or a dialog), each with the index of the
  * child that contains the element.
  */
 interface Held {
@@ -49,7 +49,7 @@ interface Held {
 function hold(element: HTMLElement): Held {
   const path: [Element, number][] = []
   let child: Element = element
-  while (child.parentElement && !child.matches('main, aside, dialog, body')) {
+  while (child.parentElement && !child.matches('main, aside, [role=dialog], body')) {
     path.push([child.parentElement, [...child.parentElement.children].indexOf(child)])
     child = child.parentElement
   }

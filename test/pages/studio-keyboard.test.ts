@@ -4,7 +4,7 @@ import { join } from 'node:path'
 import type { Page } from 'playwright-core'
 import { beforeAll, expect, test } from 'vitest'
 import { openStudio } from './opened-studio.ts'
-import { areaNames, DRAWING, waitUntilReady } from './studio-page.ts'
+import { areaNames, waitUntilReady } from './studio-page.ts'
 
 /** Number of key presses after which `tabTo` fails. The page has fewer controls. */
 const MAX_KEYS = 500
@@ -235,8 +235,9 @@ test('moves an area to another layer', async () => {
 
 test('exports, and copies the code', async () => {
   await backTo('Export')
+  const download = page.waitForEvent('download')
   await press('Enter')
-  await page.getByText('Packing and checking').waitFor({ state: 'detached', ...DRAWING })
+  await download
   await tabTo('Exported file')
   await press('Enter')
   await tabTo('Copy the code')
