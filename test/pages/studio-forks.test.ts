@@ -8,7 +8,7 @@ import { button, chooseTool, eventually, startDrawingLines, undoIs } from './stu
 
 type Point = readonly [x: number, y: number]
 
-const studio = openStudio({ width: 1100, height: 640 }, writeNone)
+const studio = openStudio({ width: 1440, height: 800 }, writeNone)
 let page: Page
 /** Position of the fork on the page, CSS pixels. */
 let fork: Point

@@ -3,10 +3,10 @@ import { KeepStatus } from '../panels/keeping/keep-status.tsx'
 import type { PanelModel } from '../panels/model.ts'
 import { MODE_NAMES, type Mode } from '../tools/tool-choice.ts'
 import { Icon, type IconName } from '../ui/icon.tsx'
-import { Popover } from '../ui/popover.tsx'
 import { ExportCard } from './export-card.tsx'
 import { Preferences } from './preferences.tsx'
 import { ProjectCard } from './project-card.tsx'
+import { ShareCard } from './share-card.tsx'
 import { ShortcutList } from './shortcut-list.tsx'
 
 const MODE_OPTIONS = MODE_NAMES.map((value) => ({ value, label: MODES[value] }))
@@ -24,18 +24,7 @@ export function TopBar({ model }: { model: PanelModel }) {
         <History label={FILE.undo} icon="undo" step={undoLabel.value} onPress={() => session.undo()} />
         <History label={FILE.redo} icon="redo" step={redoLabel.value} onPress={() => session.redo()} />
         <Modes mode={tools.mode.value} onChange={(mode) => tools.chooseMode(mode)} />
-        <Popover label={FILE.share} placement="bottom-end" button={FILE.share}>
-          <button
-            type="button"
-            title="Copy a link to this expression, view and avatar"
-            onClick={actions.copyLink}
-          >
-            {FILE.copyLink}
-          </button>
-          <button type="button" onClick={actions.savePicture}>
-            {FILE.screenshot}
-          </button>
-        </Popover>
+        <ShareCard actions={actions} />
         {session.document.value && <ExportCard model={model} />}
         <button
           type="button"
