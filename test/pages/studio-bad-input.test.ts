@@ -10,7 +10,7 @@ import { sheet } from './sheet.ts'
 import { areaNames, dismiss, dropPaths } from './studio-page.ts'
 
 const SOON = { timeout: 60_000 }
-const studio = openStudio({ width: 800, height: 400 })
+const studio = openStudio({ width: 1000, height: 560 })
 let page: Page
 const at = (name: string) => join(studio.folder, name)
 const button = (name: string | RegExp) => page.getByRole('button', { name })

@@ -38,7 +38,7 @@ declare global {
   interface Window extends Ending {}
 }
 
-const studio = openStudio({ width: 900, height: 600 }, writePlain)
+const studio = openStudio({ width: 1000, height: 560 }, writePlain)
 let page: Page
 
 beforeAll(async () => {

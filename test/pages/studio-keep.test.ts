@@ -42,7 +42,7 @@ beforeAll(async () => {
   await writeAvatars(folder)
   ;({ server, address } = await serveStudio())
   browser = await openBrowser()
-  context = await browser.newContext({ viewport: { width: 800, height: 400 }, reducedMotion: 'reduce' })
+  context = await browser.newContext({ viewport: { width: 1000, height: 560 }, reducedMotion: 'reduce' })
   context.setDefaultTimeout(0)
   page = await openStudio(address)
 })

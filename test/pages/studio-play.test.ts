@@ -13,7 +13,7 @@ const HUMAN = fileURLToPath(new URL('../../faces/human.glb', import.meta.url))
 /** Duration of the animation, seconds. */
 const DURATION = 2
 
-const studio = openStudio({ width: 800, height: 500 })
+const studio = openStudio({ width: 1000, height: 560 })
 let page: Page
 
 beforeAll(async () => {

@@ -21,7 +21,7 @@ import {
   waitUntilReady,
 } from './studio-page.ts'
 
-const studio = openStudio({ width: 800, height: 400 }, writePlain)
+const studio = openStudio({ width: 1000, height: 560 }, writePlain)
 const { folder } = studio
 let page: Page
 
