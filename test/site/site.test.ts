@@ -258,7 +258,7 @@ describe('the pages', () => {
     await withPage('docs/guide.html', { viewport }, async (page) => {
       const navigation = page.getByRole('navigation', { name: 'Main Navigation' })
       await navigation.getByRole('link', { name: 'Studio', exact: true }).click()
-      await page.locator('#viewport canvas').waitFor()
+      await page.getByRole('heading', { name: 'Drop your avatar' }).waitFor()
       expect(page.url()).toBe(`${site.address}studio/index.html`)
     })
   })
