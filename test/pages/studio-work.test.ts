@@ -77,6 +77,8 @@ test('another age changes the wrinkles, and undo restores the old ones', async (
 
 test('a reload continues with the work', async () => {
   await page.getByText('Kept in this browser').waitFor()
+  // At this age, the face also has areas of bulges.
+  await expect.poll(async () => (await areas()).length).toBeGreaterThan(names.length)
   const before = await areas()
   await page.reload()
   await waitUntilReady(page)
