@@ -236,7 +236,7 @@ function walk(file: string, heights: Heights, make: Avatar['make']) {
 async function rendered(face: string, mode: string): Promise<Buffer> {
   const { width, height } = (await page.locator('#viewport').boundingBox())!
   const puffed = (await blendshapes(PUFF)).map(({ name }) => `${name}=1`)
-  const words = ['--set', ...puffed, '--size', `${width}x${height}`, '--mode', mode]
+  const words = ['--set', ...puffed, '--size', `${Math.round(width)}x${Math.round(height)}`, '--mode', mode]
   const { stderr } = await runFurrow(studio.folder, {}, 'render', face, '-o', `${mode}.png`, ...words)
   expect(stderr).toBe('')
   return sharp(join(studio.folder, `${mode}.png`))
