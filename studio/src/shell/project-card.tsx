@@ -1,3 +1,5 @@
+import { useSignal } from '@preact/signals'
+import { useEffect } from 'preact/hooks'
 import { displayName } from '../display-name.ts'
 import { FILE } from '../labels.ts'
 import { Recent } from '../panels/keeping/recent.tsx'
@@ -7,13 +9,21 @@ import { Icon } from '../ui/icon.tsx'
 import { Popover } from '../ui/popover.tsx'
 import { OpenButtons } from './open-buttons.tsx'
 
-/** Name of the project, with a card that opens and saves projects. */
+/** Name of the project, with a card that opens and saves projects. It closes when another avatar is shown, which it would cover. */
 export function ProjectCard({ model }: { model: PanelModel }) {
   const { viewer, session } = model
   const shown = viewer.value?.avatar.name
   const name = shown === undefined ? '' : displayName(shown)
+  const isOpen = useSignal(false)
+  useEffect(() => {
+    isOpen.value = false
+  }, [viewer.value])
   return (
     <Popover
+      isOpen={isOpen.value}
+      onToggle={(next) => {
+        isOpen.value = next
+      }}
       label={`${FILE.project} ${name}`.trim()}
       class="project"
       button={
