@@ -5,7 +5,7 @@ import sharp from 'sharp'
 import { beforeAll, describe, expect, test } from 'vitest'
 import { writeNone } from './avatars.ts'
 import { openStudio } from './opened-studio.ts'
-import { CUT_CONTROLS, prefer, waitUntilReady } from './studio-page.ts'
+import { button, CUT_CONTROLS, prefer, waitUntilReady } from './studio-page.ts'
 
 const WINDOW = { width: 1280, height: 800 }
 
@@ -53,6 +53,7 @@ describe('light and dark', () => {
 
   test('keep selections visible in forced colours mode', async () => {
     await page.emulateMedia({ forcedColors: 'active' })
+    await button(page, 'Happy').click()
     const colours = await page.evaluate(() =>
       ['true', 'false'].map((pressed) => {
         const button = document.querySelector(`#expressions [aria-pressed=${pressed}]`)!
