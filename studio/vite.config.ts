@@ -9,7 +9,8 @@ import { serveFaces } from './serve-faces.ts'
 const folder = (path: string) => fileURLToPath(new URL(path, import.meta.url))
 
 /** Whether the service worker caches a file in advance. Excludes all faces except one, and includes the portraits of all. */
-const isKept = (path: string) => !path.startsWith('faces/') || /^faces\/(index\.json|human\.glb|portraits\/.*)$/.test(path)
+const isKept = (path: string) =>
+  !path.startsWith('faces/') || /^faces\/(index\.json|human\.glb|portraits\/.*)$/.test(path)
 
 export default defineConfig({
   root: folder('.'),

@@ -1,5 +1,4 @@
 import { FurrowError } from 'furrow'
-import type { RendererKind } from '../../../stage/stage.ts'
 import { displayName } from '../display-name.ts'
 import { applyPreset } from '../document/preset.ts'
 import type { DroppedFile } from '../files/dropped-files.ts'
@@ -11,6 +10,7 @@ import { sortFiles } from '../open/sort-files.ts'
 import type { Workspace } from '../session/workspace.ts'
 import { fetchFace } from '../viewer/faces.ts'
 import type { ShownFace } from '../viewer/shown-face.ts'
+import type { Viewer } from '../viewer/viewer.ts'
 import type { LoadAvatar, ViewerHost } from '../viewer/viewer-host.ts'
 
 export interface OpeningParts {
@@ -29,7 +29,7 @@ export class Opening {
   readonly #parts: OpeningParts
 
   /** Renderer of the first avatar. Later ones use the current renderer. */
-  firstKind: RendererKind = 'webgl'
+  firstKind: Viewer['kind'] = 'webgl'
 
   constructor(parts: OpeningParts) {
     this.#parts = parts

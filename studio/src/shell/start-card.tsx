@@ -2,7 +2,7 @@ import { displayName } from '../display-name.ts'
 import { START } from '../labels.ts'
 import { Recent } from '../panels/keeping/recent.tsx'
 import type { PanelModel } from '../panels/model.ts'
-import { OpenButtons } from '../shell/open-buttons.tsx'
+import { OpenButtons } from './open-buttons.tsx'
 
 /** Card on the empty stage: opens files, recent work and the faces of the server. */
 export function StartCard({ model }: { model: PanelModel }) {
