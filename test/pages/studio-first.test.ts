@@ -5,7 +5,16 @@ import type { Page } from 'playwright-core'
 import { beforeAll, expect, test } from 'vitest'
 import { dropPaths as dropOnPage } from '../../scripts/lib/drop-paths.mjs'
 import { openStudio } from './opened-studio.ts'
-import { areaChoice, button, eventually, expectValue, slider, waitUntilReady } from './studio-page.ts'
+import {
+  areaChoice,
+  button,
+  eventually,
+  expectValue,
+  meanPngDifference,
+  shootAside,
+  slider,
+  waitUntilReady,
+} from './studio-page.ts'
 
 const studio = openStudio({ width: 1000, height: 560 })
 let page: Page
@@ -67,10 +76,14 @@ test('a reload continues with the work, its expression and its view', async () =
   await page.getByRole('button', { name: 'Left', exact: true }).click()
   const depth = Number(await slider(page, 'Depth, mm').inputValue())
   await expectValue(slider(page, 'foreheadInnerLeft'), 0)
+  const before = await shootAside(page)
   await page.reload()
   await waitUntilReady(page)
   await page.getByRole('button', { name: 'Project Plain' }).waitFor()
-  await eventually(async () => expect(await button(page, 'Left').getAttribute('aria-pressed')).toBe('true'))
+  await areaChoice(page, 'crowsFeetLeft').waitFor()
+  await eventually(async () =>
+    expect(await meanPngDifference(before, await shootAside(page))).toBeLessThan(0.5),
+  )
   await areaChoice(page, 'crowsFeetLeft').check()
   await expectValue(slider(page, 'Depth, mm'), depth)
 })
