@@ -132,10 +132,10 @@ test('a fork is dragged by touch', async () => {
 test('a fork is moved by the keyboard, with one undo step per key press', async () => {
   await choose(2)
   await forks().focus()
-  for (const _ of [1, 2, 3]) await page.keyboard.press('Shift+ArrowDown')
+  for (const _ of [1, 2, 3]) await page.keyboard.press('ArrowDown')
   await undoIs(page, 'Move a fork')
   await choose(1)
-  await expectForkAt([fork[0], fork[1] + 60])
+  await expectForkAt([fork[0], fork[1] + 6])
   for (const _ of [1, 2, 3]) await button(page, 'Undo').click()
   await undoIs(page, 'Draw a line')
 })
