@@ -94,6 +94,10 @@ export function panelModel(parts: PanelParts): PanelModel {
       reset: (dials) => face.reset(dials),
       addAreaImages: (files, convention) => faceAreas.add(files, convention),
       removeArea: (name) => faceAreas.remove(name),
+      selectRegion: (name) => {
+        lines.editor.choose(null)
+        areas.choose(name)
+      },
       moveLinePoint: (right, down) => void messages.attempt(() => lines.movePoint(right, down)),
       previewAuto: (next) => void messages.attempt(() => workspace.previewAuto(next)),
       makeAuto: (next) => void messages.attempt(() => workspace.makeAuto(next)),

@@ -173,7 +173,7 @@ export { TensionMeasurement, type TensionSample } from '../src/drivers/tension/m
 export { type SampledMesh, sampleTriangles } from '../src/drivers/tension/samples.ts'
 export { DeformedNormals, morphNormalDeltas, type RestMesh } from '../src/math/deformed-normals.ts'
 export { power } from '../src/math/elementary.ts'
-export { clamp, interpolateValues, lerp, rounded } from '../src/math/scalar.ts'
+export { clamp, interpolateValues, lerp, rounded, smoothstep } from '../src/math/scalar.ts'
 export { splineKnots } from '../src/math/spline.ts'
 export { principalStretches, restInverse } from '../src/math/stretch.ts'
 export { dot, length3 } from '../src/math/vector.ts'

@@ -17,14 +17,9 @@ function isIn({ group }: LayerStroke, area: string): boolean {
   return [area, ...sidesOfLines(area)].some((name) => group === name || group === splitSide(name)[0])
 }
 
-/** Returns the strokes of an area. */
-export function strokesIn({ strokes }: StudioDocument, area: string): LayerStroke[] {
-  return strokes.filter((stroke) => isIn(stroke, area))
-}
-
 /** Returns the largest depth of an area's strokes in millimetres, or 0 if it has none. */
-export function depthOf(document: StudioDocument, area: string): number {
-  return Math.max(0, ...strokesIn(document, area).map(({ depth }) => Math.abs(depth)))
+export function depthOf({ strokes }: StudioDocument, area: string): number {
+  return Math.max(0, ...strokes.filter((stroke) => isIn(stroke, area)).map(({ depth }) => Math.abs(depth)))
 }
 
 /**

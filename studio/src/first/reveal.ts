@@ -1,3 +1,4 @@
+import { smoothstep } from 'furrow/internal'
 import { reducedMotion } from '../motion.ts'
 import type { OpenedAvatar } from '../open/avatar.ts'
 import type { ShownFace } from '../viewer/shown-face.ts'
@@ -88,7 +89,6 @@ export class Reveal {
 
 /** Returns the position of the divider: from the right edge to the left one, and back to the middle. */
 function dividerAt(elapsed: number): number {
-  const eased = (t: number) => t * t * (3 - 2 * t)
-  if (elapsed < SWEEP) return 1 - eased(elapsed / SWEEP)
-  return 0.5 * eased((elapsed - SWEEP) / (DURATION - SWEEP))
+  if (elapsed < SWEEP) return 1 - smoothstep(elapsed / SWEEP)
+  return 0.5 * smoothstep((elapsed - SWEEP) / (DURATION - SWEEP))
 }

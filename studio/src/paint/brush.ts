@@ -1,4 +1,5 @@
 import { FurrowError } from 'furrow'
+import { smoothstep } from 'furrow/internal'
 
 /** Brush modes. Fill acts only at the start of a stroke. */
 export const BRUSH_MODES = ['add', 'remove', 'smooth', 'fill'] as const
@@ -60,11 +61,5 @@ function rangeError(setting: string, value: unknown, limit: string): FurrowError
 /** Returns the falloff at a distance from the brush's centre: 1 up to the soft edge, then smoothstep to 0 at the radius. */
 export function falloff(distance: number, radius: number, softness: number): number {
   if (distance >= radius) return 0
-  return softness === 0 ? 1 : fade((distance / radius - 1 + softness) / softness)
-}
-
-/** Returns `1 - smoothstep(0, 1, t)`. */
-export function fade(t: number): number {
-  const x = Math.min(Math.max(t, 0), 1)
-  return 1 - x * x * (3 - 2 * x)
+  return softness === 0 ? 1 : 1 - smoothstep((distance / radius - 1 + softness) / softness)
 }

@@ -1,6 +1,5 @@
 import { FurrowError, type GrayImage } from 'furrow'
-import { crossOf, dot, type SkinSurface } from 'furrow/internal'
-import { fade } from './brush.ts'
+import { crossOf, dot, type SkinSurface, smoothstep } from 'furrow/internal'
 import { checkPaintable, type PaintMap } from './paint-map.ts'
 import type { PaintSkin, SkinPoint } from './paint-skin.ts'
 import { cover, type Painted } from './painted.ts'
@@ -166,7 +165,7 @@ class Outline {
     for (const i of near) square = Math.min(square, squaredDistance(this.#points, i, i + 3, position))
     const distance = Math.sqrt(square)
     if (distance >= feather / 2) return isInside ? 1 : 0
-    return fade((isInside ? -distance : distance) / feather + 0.5)
+    return 1 - smoothstep((isInside ? -distance : distance) / feather + 0.5)
   }
 
   isFacing({ points, corners }: SkinSurface, triangle: number): boolean {

@@ -1,6 +1,8 @@
 import { FILE, PLACES } from '../labels.ts'
 import type { ClipPlayer } from '../viewer/pose/clip-player.ts'
+import { Check } from './controls/check.tsx'
 import { Choice } from './controls/choice.tsx'
+import { FileButton } from './controls/file-button.tsx'
 import { NumberSlider } from './controls/number-slider.tsx'
 import { Section } from './controls/section.tsx'
 
@@ -20,17 +22,9 @@ export function Animation({ player, onOpen }: AnimationProps) {
       ) : (
         <Clips player={player} />
       )}
-      <label class="file">
-        <input
-          type="file"
-          accept=".csv"
-          onChange={({ currentTarget }) => {
-            onOpen([...currentTarget.files!])
-            currentTarget.value = ''
-          }}
-        />
-        <span>{FILE.openCapture}</span>
-      </label>
+      <FileButton accept=".csv" onChoose={onOpen}>
+        {FILE.openCapture}
+      </FileButton>
     </Section>
   )
 }
@@ -66,16 +60,7 @@ function Clips({ player }: { player: ClipPlayer }) {
         >
           Stop
         </button>
-        <label class="check">
-          <input
-            type="checkbox"
-            checked={isLooped.value}
-            onChange={({ currentTarget }) => {
-              isLooped.value = currentTarget.checked
-            }}
-          />
-          Loop
-        </label>
+        <Check value={isLooped}>Loop</Check>
       </div>
       <Choice
         label="Speed"

@@ -7,6 +7,7 @@ import {
   type AutoSettings,
 } from '../document/document.ts'
 import { AUTOMATIC, regionName } from '../labels.ts'
+import { FileButton } from './controls/file-button.tsx'
 import { NumberSlider } from './controls/number-slider.tsx'
 import type { PanelModel } from './model.ts'
 
@@ -69,17 +70,9 @@ export function AutomaticWrinkles({ model }: { model: PanelModel }) {
         <button type="button" onClick={actions.savePreset}>
           {AUTOMATIC.savePreset}
         </button>
-        <label class="file">
-          <input
-            type="file"
-            accept=".json"
-            onChange={({ currentTarget }) => {
-              actions.openFiles([...currentTarget.files!])
-              currentTarget.value = ''
-            }}
-          />
-          <span>{AUTOMATIC.applyPreset}</span>
-        </label>
+        <FileButton accept=".json" onChoose={actions.openFiles}>
+          {AUTOMATIC.applyPreset}
+        </FileButton>
       </div>
     </div>
   )

@@ -4,6 +4,7 @@ import { MAP_NAMES, type MapName, type StudioLayer } from '../document/document.
 import { PLACES } from '../labels.ts'
 import type { LayerEditor } from '../session/layer-editor.ts'
 import { Choice } from './controls/choice.tsx'
+import { FileButton } from './controls/file-button.tsx'
 import { NumberSlider } from './controls/number-slider.tsx'
 import { Section } from './controls/section.tsx'
 import type { PanelModel } from './model.ts'
@@ -210,19 +211,14 @@ function MapRow({ layer: { name, maps }, map, isDrawn, editor }: MapRowProps) {
     <div class="map">
       <span class="label">{label}</span>
       <span class="hint">{hasImage ? (isDrawn ? 'image + lines' : 'image') : isDrawn ? 'lines' : '–'}</span>
-      <label class="file" title={`Import ${label.toLowerCase()} map`}>
-        <input
-          type="file"
-          accept={IMAGES}
-          aria-label={`Import ${map} of ${name}`}
-          onChange={({ currentTarget }) => {
-            const [file] = currentTarget.files!
-            if (file) editor.importMap(name, map, file)
-            currentTarget.value = ''
-          }}
-        />
-        <span>Import…</span>
-      </label>
+      <FileButton
+        label={`Import ${map} of ${name}`}
+        title={`Import ${label.toLowerCase()} map`}
+        accept={IMAGES}
+        onChoose={([file]) => editor.importMap(name, map, file)}
+      >
+        Import…
+      </FileButton>
       <button
         type="button"
         disabled={!hasImage && !isDrawn}
@@ -260,29 +256,15 @@ function Bake({ name, editor }: { name: string; editor: LayerEditor }) {
       </div>
     )
   }
-  const bake = (files: FileList | null | undefined) => {
-    const file = files?.[0]
-    if (file) editor.bake(name, file)
-  }
   return (
-    <label
-      class="file bake"
+    <FileButton
+      label={`Bake a sculpt into ${name}`}
       title="A detailed model of the wrinkled face, with the position and size of this face"
-      onDrop={(event) => {
-        event.preventDefault()
-        bake(event.dataTransfer?.files)
-      }}
+      accept={SCULPTS}
+      isDropTarget
+      onChoose={([file]) => editor.bake(name, file)}
     >
-      <input
-        type="file"
-        accept={SCULPTS}
-        aria-label={`Bake a sculpt into ${name}`}
-        onChange={({ currentTarget }) => {
-          bake(currentTarget.files)
-          currentTarget.value = ''
-        }}
-      />
-      <span>Bake from a sculpt… or drop one here</span>
-    </label>
+      Bake from a sculpt… or drop one here
+    </FileButton>
   )
 }

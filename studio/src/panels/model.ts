@@ -88,6 +88,8 @@ export interface PanelActions {
   reset(dials: readonly Dial[]): void
   addAreaImages(files: readonly File[], convention: AreaConvention): void
   removeArea(name: string): void
+  /** Selects a region, or the whole face if `name` is null. */
+  selectRegion(name: string | null): void
   /** Moves the chosen point of the chosen line over the skin, by a distance on the screen, CSS pixels. */
   moveLinePoint(right: number, down: number): void
   /** Shows a preview of automatic wrinkles, while a slider moves. */

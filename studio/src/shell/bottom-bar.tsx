@@ -1,5 +1,6 @@
 import { signal } from '@preact/signals'
 import { expressionLabel, PLACES } from '../labels.ts'
+import { PosePicture } from '../panels/controls/pose-picture.tsx'
 import type { PanelModel } from '../panels/model.ts'
 import { Targets } from '../panels/targets.tsx'
 import { Icon } from '../ui/icon.tsx'
@@ -30,7 +31,7 @@ export function BottomBar({ model }: { model: PanelModel }) {
               title={i < KEYS ? `${expressionLabel(name)} (${i + 1})` : expressionLabel(name)}
               onClick={() => actions.play(name)}
             >
-              {urls.has(name) ? <img src={urls.get(name)} alt="" /> : <span class="blank" />}
+              <PosePicture url={urls.get(name)} />
               {expressionLabel(name)}
             </button>
           ))}

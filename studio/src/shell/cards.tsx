@@ -44,7 +44,7 @@ interface FrameProps {
   children: ComponentChildren
 }
 
-function Frame({ selected: { label }, model: { areas, lines }, children }: FrameProps) {
+function Frame({ selected: { label }, model: { actions }, children }: FrameProps) {
   return (
     <section class="card" aria-label={label}>
       <header>
@@ -54,10 +54,7 @@ function Frame({ selected: { label }, model: { areas, lines }, children }: Frame
           class="dismiss"
           aria-label={PLACES.wholeFace}
           title={PLACES.wholeFace}
-          onClick={() => {
-            lines.choose(null)
-            areas.choose(null)
-          }}
+          onClick={() => actions.selectRegion(null)}
         >
           ×
         </button>

@@ -2,6 +2,7 @@ import { useSignal } from '@preact/signals'
 import { WRINKLE_MAPS } from 'furrow/internal'
 import { useId } from 'preact/hooks'
 import { FILE } from '../labels.ts'
+import { Check } from '../panels/controls/check.tsx'
 import type { PanelModel } from '../panels/model.ts'
 import type { ExportState } from '../session/exporting.ts'
 import { Icon } from '../ui/icon.tsx'
@@ -23,16 +24,9 @@ export function ExportCard({ model }: { model: PanelModel }) {
         {FILE.export}
       </button>
       <Popover label={FILE.exported} class="main" placement="bottom-end" button={<Icon name="down" />}>
-        <label class="check" title="Maps stay compressed on the GPU">
-          <input
-            type="checkbox"
-            checked={isCompressed.value}
-            onChange={({ currentTarget }) => {
-              isCompressed.value = currentTarget.checked
-            }}
-          />
+        <Check value={isCompressed} title="Maps stay compressed on the GPU">
           {FILE.ktx2}
-        </label>
+        </Check>
         {!state && (
           <p class="hint">Export saves the avatar with its wrinkles, and this card then shows its size.</p>
         )}

@@ -58,21 +58,14 @@ interface PartProps {
 }
 
 /** Name of the selection, and a button that selects the whole face again. */
-function Heading({ selected: { kind, label, fileName }, model: { areas, lines } }: PartProps) {
+function Heading({ selected: { kind, label, fileName }, model: { actions } }: PartProps) {
   return (
     <div class="selected">
       <h2>
         {label} {fileName && <small>{fileName}</small>}
       </h2>
       {(kind === 'region' || kind === 'line') && (
-        <button
-          type="button"
-          class="quiet"
-          onClick={() => {
-            lines.choose(null)
-            areas.choose(null)
-          }}
-        >
+        <button type="button" class="quiet" onClick={() => actions.selectRegion(null)}>
           {PLACES.wholeFace}
         </button>
       )}
@@ -101,14 +94,7 @@ function Owners({ areas, model }: { areas: readonly StudioArea[]; model: PanelMo
       <p class="hint">A line shows when its region does.</p>
       <div class="add">
         {areas.map(({ name }) => (
-          <button
-            key={name}
-            type="button"
-            onClick={() => {
-              model.lines.choose(null)
-              model.areas.choose(name)
-            }}
-          >
+          <button key={name} type="button" onClick={() => model.actions.selectRegion(name)}>
             {regionLabel(name)}
           </button>
         ))}

@@ -2,6 +2,7 @@ import type { WrinkleMode } from 'furrow/three'
 import type { RendererKind } from '../../../stage/stage.ts'
 import { type Appearance, chooseAppearance, chosenAppearance } from '../appearance.ts'
 import { FILE, PREFERENCES } from '../labels.ts'
+import { Check } from '../panels/controls/check.tsx'
 import { Choice } from '../panels/controls/choice.tsx'
 import type { PanelModel } from '../panels/model.ts'
 import { isStatisticsShown } from '../statistics.ts'
@@ -48,16 +49,7 @@ export function Preferences({ model: { viewer, revision, dialogs, actions } }: {
           value={(viewer.value?.mode ?? 'default') as (typeof MODES)[number]['value']}
           onChange={actions.setMode}
         />
-        <label class="check">
-          <input
-            type="checkbox"
-            checked={isStatisticsShown.value}
-            onChange={({ currentTarget }) => {
-              isStatisticsShown.value = currentTarget.checked
-            }}
-          />
-          {PREFERENCES.statistics}
-        </label>
+        <Check value={isStatisticsShown}>{PREFERENCES.statistics}</Check>
       </div>
     </Dialog>
   )

@@ -20,10 +20,7 @@ export function ProjectCard({ model }: { model: PanelModel }) {
   }, [viewer.value])
   return (
     <Popover
-      isOpen={isOpen.value}
-      onToggle={(next) => {
-        isOpen.value = next
-      }}
+      isOpen={isOpen}
       label={`${FILE.project} ${name}`.trim()}
       class="project"
       button={

@@ -11,15 +11,7 @@ export function ShareCard({ actions }: { actions: PanelActions }) {
     action()
   }
   return (
-    <Popover
-      label={FILE.share}
-      placement="bottom-end"
-      button={FILE.share}
-      isOpen={isOpen.value}
-      onToggle={(next) => {
-        isOpen.value = next
-      }}
-    >
+    <Popover label={FILE.share} placement="bottom-end" button={FILE.share} isOpen={isOpen}>
       <button
         type="button"
         title="Copy a link to this expression, view and avatar"

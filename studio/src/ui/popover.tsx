@@ -1,3 +1,4 @@
+import { type Signal, useSignal } from '@preact/signals'
 import * as popover from '@zag-js/popover'
 import { normalizeProps, useMachine } from '@zag-js/preact'
 import type { ComponentChildren } from 'preact'
@@ -10,19 +11,23 @@ interface PopoverProps {
   button: ComponentChildren
   class?: string
   placement?: 'bottom-start' | 'bottom-end' | 'top-end'
-  isOpen?: boolean
-  onToggle?(isOpen: boolean): void
+  /** Whether the card is open, for callers that close it. */
+  isOpen?: Signal<boolean>
   children: ComponentChildren
 }
 
 /** Button that opens a card beside it. */
 export function Popover(props: PopoverProps) {
-  const { label, button, placement = 'bottom-start', isOpen, onToggle, children } = props
+  const { label, button, placement = 'bottom-start', children } = props
+  const local = useSignal(false)
+  const isOpen = props.isOpen ?? local
   const service = useMachine(popover.machine, {
     id: useId(),
     positioning: { placement, strategy: 'fixed', gutter: 6, overflowPadding: 8 },
-    ...(isOpen !== undefined && { open: isOpen }),
-    onOpenChange: ({ open }) => onToggle?.(open),
+    open: isOpen.value,
+    onOpenChange: ({ open }) => {
+      isOpen.value = open
+    },
   })
   const api = popover.connect(service, normalizeProps)
   return (

@@ -1,3 +1,4 @@
+import { smoothstep } from 'furrow/internal'
 import { Spherical, Vector3 } from 'three'
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js'
 import type { Stage } from '../../../stage/stage.ts'
@@ -117,7 +118,7 @@ export class Orbit {
     if (this.#transition) {
       this.#transition.elapsed += delta
       const t = Math.min(this.#transition.elapsed / TRANSITION_TIME, 1)
-      this.pose = interpolatePose(this.#transition.from, this.#transition.to, t * t * (3 - 2 * t))
+      this.pose = interpolatePose(this.#transition.from, this.#transition.to, smoothstep(t))
       if (t === 1) this.#transition = null
     }
     this.#atRest = !this.#controls.update(delta)

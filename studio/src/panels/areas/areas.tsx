@@ -5,6 +5,8 @@ import { PLACES, REGION, regionLabel } from '../../labels.ts'
 import type { AreaEditor } from '../../session/area-editor.ts'
 import { Icon } from '../../ui/icon.tsx'
 import type { Dial } from '../../viewer/pose/dials.ts'
+import { Check } from '../controls/check.tsx'
+import { FileButton } from '../controls/file-button.tsx'
 import { Section } from '../controls/section.tsx'
 import { Slider } from '../controls/slider.tsx'
 import type { PanelModel } from '../model.ts'
@@ -86,7 +88,7 @@ function sortDials(dials: readonly Dial[], document: StudioDocument | null): rea
 
 /** Radio button that looks like the area's thumbnail. */
 function ChooseArea({ name, model }: { name: string; model: PanelModel }) {
-  const { areas, lines, hovered } = model
+  const { areas, hovered, actions } = model
   const point = (isHere: boolean) => {
     hovered.value = isHere ? { kind: 'area', name } : null
   }
@@ -105,10 +107,7 @@ function ChooseArea({ name, model }: { name: string; model: PanelModel }) {
         title="Select"
         aria-label={`Select ${regionLabel(name)} ${name}`}
         checked={areas.chosen.value?.name === name}
-        onChange={() => {
-          lines.choose(null)
-          areas.choose(name)
-        }}
+        onChange={() => actions.selectRegion(name)}
         onFocus={({ currentTarget }) => {
           // Ignore focus by a click. The pointer is then already on the area.
           if (currentTarget.matches(':focus-visible')) point(true)
@@ -160,30 +159,15 @@ function AddAreas({ model: { session, areas, actions } }: { model: PanelModel })
             {REGION.add}
           </button>
         )}
-        <label class="file">
-          <input
-            type="file"
-            accept="image/*"
-            multiple
-            aria-describedby="add-hint"
-            onChange={({ currentTarget }) => {
-              actions.addAreaImages([...currentTarget.files!], isPaper.value ? 'paper' : 'weight')
-              // Without this, the browser sends no change event if the user chooses the same file again.
-              currentTarget.value = ''
-            }}
-          />
-          <span>{REGION.addImage}</span>
-        </label>
-        <label class="check">
-          <input
-            type="checkbox"
-            checked={isPaper.value}
-            onChange={({ currentTarget }) => {
-              isPaper.value = currentTarget.checked
-            }}
-          />
-          {REGION.paper}
-        </label>
+        <FileButton
+          accept="image/*"
+          describedBy="add-hint"
+          isMultiple
+          onChoose={(files) => actions.addAreaImages(files, isPaper.peek() ? 'paper' : 'weight')}
+        >
+          {REGION.addImage}
+        </FileButton>
+        <Check value={isPaper}>{REGION.paper}</Check>
       </div>
       <p id="add-hint" class="hint">
         Or drop a gray image anywhere. In the paper's convention black shows wrinkles; clear the box if white

@@ -2,6 +2,7 @@ import { useId } from 'preact/hooks'
 import { readArea } from '../../area-file.ts'
 import type { StudioArea } from '../../document/document.ts'
 import { PLACES, REGION, regionLabel } from '../../labels.ts'
+import { FileButton } from '../controls/file-button.tsx'
 import { NumberSlider } from '../controls/number-slider.tsx'
 import type { PanelModel } from '../model.ts'
 
@@ -91,19 +92,14 @@ function FromImage({ name, model: { areas, actions } }: { name: string; model: P
     areas.fill(name, weights)
   }
   return (
-    <label class="file" title="Replace the painted weights by a gray image">
-      <input
-        type="file"
-        accept="image/*"
-        aria-label={`Fill ${name} from an image`}
-        onChange={({ currentTarget }) => {
-          const [file] = currentTarget.files!
-          if (file) actions.attempt(() => fill(file))
-          currentTarget.value = ''
-        }}
-      />
-      <span>{REGION.fromImage}</span>
-    </label>
+    <FileButton
+      label={`Fill ${name} from an image`}
+      title="Replace the painted weights by a gray image"
+      accept="image/*"
+      onChoose={([file]) => actions.attempt(() => fill(file))}
+    >
+      {REGION.fromImage}
+    </FileButton>
   )
 }
 

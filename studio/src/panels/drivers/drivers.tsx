@@ -2,7 +2,7 @@ import { signal, useComputed, useSignal } from '@preact/signals'
 import type { ExpressionDriver, WrinkleDriver } from 'furrow'
 import { useMemo } from 'preact/hooks'
 import { driverProblems } from '../../document/driver-problems.ts'
-import { areaOf } from '../../document/drivers.ts'
+import { areaOf, UNSET } from '../../document/drivers.ts'
 import { PLACES, problemsLabel, REGION } from '../../labels.ts'
 import { DriverEditor } from '../../session/driver-editor.ts'
 import type { PanelModel } from '../model.ts'
@@ -15,7 +15,6 @@ import { Strongest } from './strongest.tsx'
 import { useThrottled } from './throttled.ts'
 
 /** A blendshape whose weight is at most this counts as not set. */
-const UNSET = 0.01
 
 /** Whether all drivers of a region are shown, not only the strongest. */
 const isAdvancedOpen = signal(false)

@@ -1,5 +1,6 @@
 import { useMemo } from 'preact/hooks'
 import { expressionLabel, WHEN } from '../../labels.ts'
+import { PosePicture } from '../controls/pose-picture.tsx'
 import type { PanelModel } from '../model.ts'
 
 /** Maximum number of pictures. Avatars can have hundreds of expressions. */
@@ -33,7 +34,7 @@ export function ShownBy({ area, model }: { area: string; model: PanelModel }) {
             aria-pressed={expression.value === name}
             onClick={() => actions.play(name)}
           >
-            {urls.has(name) ? <img src={urls.get(name)} alt="" /> : <span class="blank" />}
+            <PosePicture url={urls.get(name)} />
             {label}
           </button>
         )

@@ -3,6 +3,7 @@ import { useEffect, useId } from 'preact/hooks'
 import { hasOutdatedWrinkles } from '../../document/shapes.ts'
 import { PLACES } from '../../labels.ts'
 import type { ShapeRow as Row } from '../../session/shape-editor.ts'
+import { Check } from '../controls/check.tsx'
 import { FilterInput } from '../controls/filter-input.tsx'
 import { Section } from '../controls/section.tsx'
 import type { PanelModel } from '../model.ts'
@@ -102,16 +103,7 @@ function ShapeList({ rows, model }: { rows: readonly Row[]; model: PanelModel })
     <>
       <div class="shape-filter">
         <FilterInput label="Filter shapes" filter={filter} />
-        <label class="check">
-          <input
-            type="checkbox"
-            checked={isUnknownOnly.value}
-            onChange={({ currentTarget }) => {
-              isUnknownOnly.value = currentTarget.checked
-            }}
-          />
-          Unknown only
-        </label>
+        <Check value={isUnknownOnly}>Unknown only</Check>
       </div>
       <p class="hint" role="status">
         {shapes.isRunning.value

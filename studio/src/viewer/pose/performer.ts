@@ -1,4 +1,5 @@
 import type { ReadonlySignal, Signal } from '@preact/signals'
+import { smoothstep } from 'furrow/internal'
 import { reducedMotion } from '../../motion.ts'
 import type { Hovered } from '../hovered.ts'
 import type { Viewer } from '../viewer.ts'
@@ -61,7 +62,7 @@ export class Performer {
     const { from, to, isRelaxing } = this.#transition
     this.#transition.elapsed += delta
     const t = Math.min(1, this.#transition.elapsed / TIME)
-    const eased = t * t * (3 - 2 * t)
+    const eased = smoothstep(t)
     writePose(viewer, {
       targets: between(from.targets, to.targets, eased),
       areas: between(from.areas, to.areas, eased),

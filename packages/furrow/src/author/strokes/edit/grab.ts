@@ -1,3 +1,4 @@
+import { smoothstep } from '../../../math/scalar.ts'
 import type { Stroke, Uv } from '../document.ts'
 import { type Fork, type ForkedStrokes, pointAt } from './forks.ts'
 import { moveOver, placeAt } from './over-skin.ts'
@@ -29,7 +30,7 @@ export function grabWeights(
   return knots.map((place, i) => {
     if (i === knot) return 1
     const far = Math.abs(lengths[place] - centre) / reach[i < knot ? 0 : 1]
-    return far < 1 ? 1 - far * far * (3 - 2 * far) : 0
+    return 1 - smoothstep(far)
   })
 }
 
