@@ -221,7 +221,7 @@ export class Studio {
       if (this.#isEdited) this.#face.player.pause()
     })
     effect(() => {
-      // A region can be on the side of the divider without wrinkles.
+      // A pointed region shows its wrinkles on both sides of the divider.
       const isPointed = this.#face.hovered.value?.isOnFace ?? false
       page.viewport.classList.toggle('pointed', isPointed)
       this.#arrange(this.#face.viewer.value, areas.hidden.value, this.#isEdited || isPointed)

@@ -184,7 +184,7 @@ export const EXAMPLES: readonly Example[] = [
   },
 ]
 
-/** The address of an example with its wrinkles, relative to the folder of examples. */
+/** Returns the address that shows an example with its wrinkles, relative to the folder of examples. */
 export function addressOf({ page, query = '' }: Example): string {
   return `${page}.html${query}`
 }

@@ -147,7 +147,7 @@ async function expectSuccess(child: ChildProcess): Promise<void> {
   expect(await finish(child), errors).toEqual({ code: 0, signal: null })
 }
 
-/** Expects an end by the signal with all outputs or none, or a successful end with all outputs. */
+/** Expects that the signal ended the command with all outputs or with none, or that the command succeeded with all outputs. */
 async function expectEnd({ code, signal }: End, sent: NodeJS.Signals, folder: string, complete: string[]) {
   if (signal === null) expect(code).toBe(0)
   else expect(signal).toBe(sent)

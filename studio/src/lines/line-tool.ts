@@ -28,7 +28,7 @@ export interface LineStage {
   preparation(): Promise<unknown> | null
   /** Called when the line under the pointer or the path of the pointer changes. */
   onChange(): void
-  /** Called when the pointer is on the skin beside all lines, in the mode `select`; null: elsewhere. */
+  /** In the mode `select`, called with the point of the skin under the pointer; with null if a line or no skin is there. */
   onSkin?(hit: SkinHit | null): void
 }
 
@@ -48,7 +48,7 @@ export class LineTool implements StageTool {
   #depth: DepthDrag | null = null
   /** Start of a gesture on a line between its points, or null. `along` is the place on the line. */
   #between: { x: number; y: number; along: number; uv: Uv } | null = null
-  /** Line that a click chooses alone. A drag changes all chosen lines. */
+  /** Line under the pointer when it was pressed. A click chooses only this line, but a drag changes all chosen lines. */
   #pressed: LayerStroke | null = null
   /** Lines that the current gesture has smoothed. */
   readonly #touched = new Set<number>()

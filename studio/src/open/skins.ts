@@ -65,9 +65,9 @@ export async function findSkins(gltf: GLTF, onProblem: (problem: string) => void
 }
 
 /**
- * Chooses the skin of an avatar: the first candidate that has wrinkles. If there is none, chooses the candidate that blendshapes move most, as
- * `furrow auto` does. If no candidate has blendshapes and few enough triangles, chooses the one with the most triangles, and prefers candidates
- * without a `problem`.
+ * Chooses the skin of an avatar: the first candidate that has wrinkles. Otherwise, of those with blendshapes and not too many triangles, the one
+ * that blendshapes move most, as `furrow auto` does. If there is none, chooses the candidate with the most triangles, if possible one without
+ * a `problem`.
  *
  * @param skins at least one.
  * @returns index of the skin.

@@ -58,7 +58,7 @@ const HINTS: Record<LineMode | 'chosen' | 'fork', string> = {
   select: 'Drag across the line to make it deeper. Shift+click chooses several lines.',
   edit: 'Drag a line on the face, or choose one above. Shift+click chooses several lines.',
   chosen:
-    'Drag the line or a point. Points within the reach follow ([ and ] change it); with Alt, a point moves alone. Shift+click or double-click adds a point, Delete removes it.',
+    'Drag the line or a point. Points within the reach follow. The keys [ and ] change the reach; with Alt, a point moves alone. Shift+click or double-click adds a point, Delete removes it.',
   fork: 'A diamond is a fork: dragging it moves all lines that meet there.',
   draw: 'Draw on the skin. Drag beside the face to turn it.',
   smooth: 'Click a line, or drag over lines, to smooth them.',

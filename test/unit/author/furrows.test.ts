@@ -28,7 +28,7 @@ const between = (data: Float32Array) => data.filter((height) => height < -0.03 &
 
 const lowestOf = (data: Float32Array) => data.reduce((low, height) => Math.min(low, height))
 
-/** Fraction of the greatest depth that only the furrows around large cells reach. */
+/** Furrows deeper than this fraction of the greatest depth are those around large cells. */
 const LARGE = 0.46
 
 /** Returns the mean distance between the furrows around large cells, millimetres, along rows or columns near the middle. */

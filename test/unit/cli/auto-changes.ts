@@ -20,7 +20,8 @@ export const FORMATS = {
   'placed by its node': placeByNode,
   'placed by a skeleton': placeBySkeleton,
   'with a KHR_texture_transform': transformCoordinates,
-  'without a normal map, with coordinates that only the base colour dequantises': quantiseCoordinates,
+  'without a normal map, with integer coordinates that the transform of the base colour scales':
+    quantiseCoordinates,
 } as const satisfies Record<string, (document: Document) => unknown>
 
 export function skinOf(document: Document): Mesh {

@@ -45,7 +45,7 @@ const TOLERANCES: Partial<Record<keyof typeof FORMATS, Tolerance>> = {
   'placed by its node': ROUNDED,
   'placed by a skeleton': ROUNDED,
   'with a KHR_texture_transform': ROUNDED,
-  'without a normal map, with coordinates that only the base colour dequantises': QUANTISED,
+  'without a normal map, with integer coordinates that the transform of the base colour scales': QUANTISED,
 }
 
 /** Variants of the shipped face, which must all get the same wrinkles. */

@@ -9,8 +9,8 @@ const DEVICE = /^(con|prn|aux|nul|conin\$|conout\$|(com|lpt)[0-9¹²³])(?=\.|$)
 
 /**
  * Derives file names without extension from layer or area names. The file names are valid on every file system, and stay distinct on file
- * systems that ignore case or Unicode normalisation. Valid names stay unchanged. If several valid names collide, only the first
- * one does.
+ * systems that ignore case or Unicode normalisation. A valid name stays unchanged, unless it collides with an earlier valid
+ * name.
  *
  * @param names distinct names of any characters.
  * @returns one file name per name: at most 100 bytes in UTF-8, plus a number if needed to make it unique.

@@ -54,8 +54,8 @@ export function turnedNormals(
       who: 'heightToNormal',
       problem: 'height map and metric differ in size',
       value: `${width} x ${height}`,
-      limit: `${metric.width} x ${metric.height}, the metric's`,
-      remedy: 'measure the mesh at the size of the height map',
+      limit: `${metric.width} x ${metric.height}, the size of the metric`,
+      remedy: 'measure the metric at the size of the height map',
     })
   }
   const normal = { width, height, data: new Uint8Array(4 * width * height) }

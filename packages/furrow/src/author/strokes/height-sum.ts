@@ -11,7 +11,7 @@ import { bankAt, bulgeAt, valleyAt } from './profile.ts'
  * into one bulge. The heights of bulges (strokes with a negative depth) are added to the result, because wrinkles follow the shape of bulges.
  */
 const JOIN = { valleys: 6, banks: 2 } as const
-/** Fraction of the light lost in a valley, per depth in half widths. `MAX_SHADE` limits the fraction. */
+/** Fraction of the light that a valley loses if it is as deep as half of its width. The loss is proportional to this ratio, up to `MAX_SHADE`. */
 const SHADE = 1.1
 /** Maximum fraction of the light lost in a valley. */
 const MAX_SHADE = 0.75

@@ -115,7 +115,7 @@ function normalMixing(
   const { float, vec2, vec3 } = d
   const scales = d.uniform('furrowNormalScale')
   const layers = kinds.map((kind, layer) => {
-    // For detail layers, n.z is half the unpacked z. The constant is slightly below 0.5, so that the division by n.z below is never by 0.
+    // For detail layers, n.z is half the unpacked z. The constant is slightly less than 0.5, so that n.z, which divides in the next lines, is never 0.
     // The components x and y are unpacked in `slope`.
     const unpacked = kind === 'detail' ? `- ${vec3}(0.0, 0.0, 0.4999999)` : '* 2.0 - 1.0'
     return `

@@ -4,7 +4,7 @@ import type { FaceContext } from './region.ts'
 
 /** Heights above and below the corner of the mouth, in millimetres, between which the lips touch. */
 const MOUTH_LINE = [8, -9] as const
-/** Fraction of the height from the corner of the mouth to the lower end of the chin at which the chin protrudes most. */
+/** Height where the chin protrudes most: 0 is the corner of the mouth, 1 the lower end of the chin. */
 const CHIN_POINT = 0.75
 /** Minimum distance in millimetres from the mouth line to the groove above the chin. */
 const LIP = 4

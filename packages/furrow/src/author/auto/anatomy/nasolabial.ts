@@ -17,7 +17,8 @@ const DEPTHS = [0.6, 0.95, 1, 1, 0.9, 0.75, 0.55]
 
 /**
  * Creates the nasolabial fold: a deep line that starts in the groove beside the wing of the nose and passes the corner of the mouth. The cheek
- * bulges over it. The fold is one smooth curve in most of a smile, and so has no hook in a sneer or in a full smile.
+ * bulges over it. Its curve is made on the face in a smile of 0.7, where it is smooth. On a face in a sneer or in a full smile, it would have a
+ * hook.
  */
 export function nasolabial(context: FaceContext, side: Side, name: string): FaceRegion {
   const { landmarks, byAge, rngOf, motionOf } = context

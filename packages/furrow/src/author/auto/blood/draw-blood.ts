@@ -43,8 +43,8 @@ export interface AutoBlood {
 const LINE_FADE = 4
 
 /**
- * Fraction of an area's feather at which a flush may begin. The area's weight is at most 0.22 there. Flushes that began where it is 0 would find
- * almost no free skin between the brows.
+ * Fraction of an area's feather at which a flush may begin. The area's weight is at most 0.22 there. If flushes began only where the weight
+ * is 0, almost no skin between the brows would have room for one.
  */
 const FADED = 0.7
 

@@ -41,7 +41,7 @@ const LASTING_FORCE = 0.02
 const LASTING_SIZE = 1.5
 /** Minimum coefficient of the stabilising diffusion. */
 const MIN_STABILISER = 3
-/** Ratio of the stabilising terms to the minimum for stability, which is half of the largest explicit linear terms. */
+/** Ratio of the stabilising terms to those that stability needs at least: half of the largest explicit linear terms. */
 const STABILISER = 1.3
 /** Number of steps between progress reports. */
 const REPORT_STEPS = 20

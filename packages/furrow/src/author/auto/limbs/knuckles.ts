@@ -6,7 +6,7 @@ import { fingerBones, flexion, type HandFrame } from './hand-frame.ts'
 import { jointDriver } from './joint-driver.ts'
 import type { LimbSkin } from './limb-skin.ts'
 
-/** Knuckles of a hand, which a fist presses so that they turn pale. */
+/** Knuckles of a hand. They turn pale in a fist. */
 export interface Knuckles {
   /** Name of the area. */
   name: string

@@ -12,7 +12,7 @@ import { rollUp, unrollPoint } from '../surface/head-chart.ts'
 const MAX_PULL = 0.13
 /** Ratio of the added compression to a typical measured one. It exceeds 1 because simple blendshapes move less skin than the muscle. */
 const PULL = 2
-/** The typical compression is the value that the measured compression along the pull exceeds in this fraction of the skin. */
+/** Fraction of the skin whose compression along the pull is greater than the typical one, which is thus its 90th percentile. */
 const PULLED = 0.1
 /** Skin counts for `PULLED` only if the weight of its compression (`FilmFields.weight`) is at least this. */
 const FULL_WEIGHT = 0.5

@@ -27,7 +27,7 @@ const MIN_WEIGHT = 0.05
 const MIN_DEPTH = 0.07
 /** Minimum length of a line, as a multiple of the region's `spacing`. */
 const MIN_LENGTH = 1.2
-/** Minimum mean cosine of the angle between a line and the perpendicular to the muscle's pull. */
+/** Lines run across the muscle's pull. Minimum mean cosine of the angle between a line and this direction. */
 const ALIGNED = 0.8
 /** Width of the shallowest lines, as a fraction of the width of the deepest line. */
 const NARROWEST = 0.75
