@@ -4,8 +4,9 @@ import { type Bump, centreOf, creased, type Field, rgbPng, stored } from './pain
 import { tga } from './tga.ts'
 
 /**
- * Export in the layout of MetaHuman's DCC export: maps in `Maps`, masks in `Masks`. The formula is that of the head shader in MetaHuman DNA
- * Calibration: differences of x and y, times masks, times the values of the rig curves.
+ * Synthetic files in the layout of MetaHuman's DCC export: maps in `Maps`, masks in `Masks`. `shade` uses the formula of the head shader in
+ * MetaHuman DNA Calibration. For each set of maps, the shader multiplies the difference from the resting maps by a mask and by a rig curve. It
+ * does so for the x and y of normals, and for colours.
  */
 
 /** Masks in the order of the channels, with the centre and radius of the skin that they cover. */
@@ -71,7 +72,7 @@ const MASKS: Readonly<
   ],
 }
 
-/** Rig curves, with the factors of the test's controls on the same side. */
+/** For each rig curve, named by set and mask: the factors of the controls that raise it. A control acts on masks of its own side. */
 const CURVES: Readonly<Record<string, Readonly<Record<string, number>>>> = {
   '1 browsRaiseInner': { browRaiseIn: 1 },
   '1 browsRaiseOuter': { browRaiseOuter: 1 },

@@ -46,15 +46,16 @@ export class Counterparts {
   }
 }
 
-/** Returns a stroke on the other half of the face, in the same layer and with the group of `other`. */
+/** Returns the mirror image of `stroke`, in the layer and the group of `other`. The image can replace `other`. */
 export function mirrorOnto(stroke: LayerStroke, other: LayerStroke, surface: LineSurface): LayerStroke {
   const { group, ...mirrored } = mirrorStroke(stroke, surface.canvas, surface.middle)
   return { ...mirrored, layer: other.layer, ...(other.group !== undefined && { group: other.group }) }
 }
 
 /**
- * Finds the line on the other half of the face that corresponds to a line: the nearest line to its mirror image among the lines of the same
- * region. Returns -1 if there is none, or if the line crosses the middle of the face and so is its own counterpart.
+ * Finds a line's counterpart on the other half of the face. Among the lines of the same layer and the same region on either side, the counterpart
+ * is the nearest to the line's mirror image. Returns -1 if no line is near enough. Also returns -1 if the line itself is the nearest, because it
+ * crosses the middle of the face.
  *
  * @param index index of the line in `strokes`.
  */

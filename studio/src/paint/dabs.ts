@@ -8,7 +8,10 @@ import { Reach } from './reach.ts'
 import { Smoother } from './smoother.ts'
 import { type Sight, VisiblePlaces } from './visible-places.ts'
 
-/** Margin of the search beyond the radius, texels. A texel beyond a UV island can be inside although its paired triangle is outside. */
+/**
+ * Distance beyond the radius, in texels, up to which triangles are searched. A texel just beyond a UV island belongs to a triangle at the island's
+ * border. This texel can be inside the radius even if the triangle is outside.
+ */
 const PAD = 1
 /** Minimum radius in texels, so that the brush covers at least one texel. */
 const MIN_RADIUS = 1.25
@@ -20,8 +23,8 @@ const MIN_CELL = 1.5
 const CELLS_AROUND = 2
 
 /**
- * Applies dabs (imprints of a brush) to the weights of an area. A dab covers the skin inside a sphere. Paths over the skin must connect it with
- * the sphere's centre without leaving the sphere, so that a dab on one lip does not paint the other lip. UV seams have no effect.
+ * Applies dabs (imprints of a brush) to the weights of an area. A dab paints the skin inside a sphere that is connected with the sphere's centre by
+ * skin inside the sphere. So a dab on one lip does not paint the other lip. Skin is also connected across UV seams.
  *
  * In the code, a place is a pair of a texel and a triangle that contains it; see `PaintMapArrays`.
  */

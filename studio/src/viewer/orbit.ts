@@ -93,7 +93,11 @@ export class Orbit {
     this.#view = name
   }
 
-  /** Moves the camera in its direction, so that a sphere fills a third of the picture. @param target centre of the sphere, world space. */
+  /**
+   * Moves the camera without turning it, until a sphere is in the middle and a third as high as the picture.
+   *
+   * @param target centre of the sphere, world space.
+   */
   lookAt(target: Vector3, radius: number): void {
     const from = this.pose
     const { fov } = this.#stage.camera

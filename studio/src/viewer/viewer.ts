@@ -307,6 +307,6 @@ function noWrinklesError(area: string): FurrowError {
     who: 'Studio',
     problem: 'the face has no wrinkles, so no area can be added',
     value: area,
-    remedy: 'drop an avatar with wrinkles, or a folder of wrinkles, first',
+    remedy: 'first drop an avatar with wrinkles, or a folder with wrinkles',
   })
 }

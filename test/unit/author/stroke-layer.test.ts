@@ -124,7 +124,7 @@ describe('a layer of strokes', () => {
       expect(searchesOf(() => [...steps])).toBe(0)
     })
 
-    it('stops when another line is prepared or edited, and ignores lines that are not drawn', () => {
+    it('stops when another line is prepared or edited, and does nothing for a line that is not drawn', () => {
       const layer = layerOf(others)
       const steps = layer.prepare(others[2])
       steps.next()

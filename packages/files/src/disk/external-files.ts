@@ -20,8 +20,8 @@ export interface ReadOptions {
 }
 
 /**
- * Resolves a URI in a file to a path. Without `allowOutside`, the path must be in the folder of `file` or below, before
- * and after symbolic links are followed.
+ * Resolves a URI in a file to a path. Unless `allowOutside` is set, the path must be inside the folder of `file`. This
+ * holds for the path as written, and for the path after symbolic links are followed.
  *
  * @param file path of the file that contains the URI.
  * @returns absolute path of a regular file.

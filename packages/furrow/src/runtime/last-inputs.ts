@@ -40,8 +40,8 @@ export class LastInputs {
   }
 
   /**
-   * Whether the activations of a face must be computed, because its inputs, resting activations, activations or list of areas have changed since
-   * the last `settle`.
+   * Returns whether the activations of a face must be computed. They must be if its inputs, its resting activations, its activations or its list of
+   * areas have changed since the last `settle`.
    */
   check(face: number, { resting, activations }: Face): boolean {
     if (resting.version !== this.#resting[face] || activations.version !== this.#activations[face])

@@ -27,7 +27,7 @@ describe('the shipped face with a sixth of its triangles', () => {
     expect(low.vertices).toBeGreaterThan(1500)
   })
 
-  test('has lines in similar directions, which turn at most 20 degrees more', () => {
+  test('has lines in similar directions, with bends at most 20 degrees sharper', () => {
     for (const [name, creases] of full.regions) {
       const simplified = low.regions.get(name) ?? []
       // Crow's feet and lines of the nose fan out. Their mean directions differ, because the meshes have different numbers of lines.

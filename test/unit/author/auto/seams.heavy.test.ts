@@ -61,8 +61,9 @@ describe.each(FACES)('%s, its texture cut in two at the middle', (_, path) => {
   })
 
   test('has the same heights as the uncut face', () => {
-    // In both layouts, texel centres are at the same points of the skin, so heights need no filtering. Only heights at the seam differ: valleys
-    // are rounded by the texel size, which is a mean over the triangles of a vertex. At the seam, these triangles are on one side only.
+    // In both layouts, texel centres are at the same points of the skin, so heights need no filtering. Heights differ only at the seam. The bottom
+    // of a valley is rounded by the texel size. At a vertex, the texel size is the mean over the triangles around it. At a vertex on the seam of
+    // the cut face, only the triangles on one side count.
     let [atCut, elsewhere] = [0, 0]
     for (let texel = 0; texel < SIZE * SIZE; texel++) {
       const [column, row] = [texel % SIZE, Math.floor(texel / SIZE)]

@@ -18,8 +18,8 @@ export interface JobCommand {
 }
 
 /**
- * Options that users cannot pass through a batch, named as `Option.attributeName()` in commander names them. The batch
- * sets some of them itself; the others would write additional files.
+ * Options of the commands that `furrow batch` does not accept, by the names that commander's `Option.attributeName()`
+ * returns. The batch sets some of them itself. The others would write additional files.
  */
 const EXCLUDED_OPTIONS = ['output', 'force', 'json', 'report', 'strokes', 'sheet']
 

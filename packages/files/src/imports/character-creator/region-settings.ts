@@ -6,7 +6,7 @@ import { REGIONS, type Rule, type Side } from './rules.ts'
 export interface RuleStrengths {
   /** Factor of all activations. */
   overall: number
-  /** Returns the factor of a rule before the power. */
+  /** Returns the factor by which a rule's value is multiplied before the exponent is applied. */
   weightOf(rule: Rule, side: Side): number
   /** Returns the exponent of a rule. */
   powerOf(rule: Rule): number
@@ -16,8 +16,8 @@ export interface RuleStrengths {
 export const POWER_RANGE = { min: 0.25, max: 2 } as const
 
 /**
- * Returns strengths and powers. Blender's add-on keeps the user's settings as custom properties of the mesh object, which a glTF export with
- * custom properties stores. They override the weights in the JSON file, which has no powers.
+ * Returns strengths and powers. The add-on for Blender stores the user's settings as custom properties of the mesh object. A glTF file has them
+ * if it was exported with custom properties. They override the weights in the JSON file. The JSON file has no powers.
  *
  * @param powers exponents by region, or for `all`.
  */

@@ -111,7 +111,7 @@ function texelSizesOf({ surface, locator, metric }: FurrowCanvas): Float64Array 
   return sizes
 }
 
-/** Returns the number of texels between two UV points, at most `width + height`. Across texture repeats, texels would count several times. */
+/** Returns the number of texels between two UV points, but at most `width + height`, because repeats of the texture have the same texels. */
 function texelsBetween(from: readonly number[], to: readonly number[], { width, height }: Metric): number {
   return Math.min(length2((to[0] - from[0]) * width, (to[1] - from[1]) * height), width + height)
 }
@@ -169,8 +169,8 @@ class FurrowPen {
       if (third < second) [second, third] = [third, second]
       if (second < nearest) [nearest, second] = [second, nearest]
     }
-    // A seed's distances to the centre and to a position in the box differ by at most half the diagonal, because its metric lengthens nothing.
-    // So the three seeds nearest to a position are at most `third` plus the whole diagonal from the centre.
+    // The metric of a seed never lengthens a distance. So the seed's distances to the centre and to a position in the box differ by at most half
+    // the diagonal. Therefore the three seeds nearest to a position are at most `third` plus the whole diagonal from the centre.
     const farthest = third + Math.sqrt(square)
     const near = [...distances.keys()].filter((n) => distances[n] <= farthest)
     near.sort((a, b) => distances[a] - distances[b])

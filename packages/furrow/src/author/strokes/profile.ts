@@ -17,7 +17,7 @@ const BANK_VOLUME = 9 / 16
  * keeps the depths at t = 0 and t = 1. The depth fades to exactly 0 at `VALLEY_REACH`.
  *
  * @param distance distance from the bottom, at least 0, in units of half the valley's original width.
- * @param softness radius of the rounded bottom, 0..1, in units of half the width of the drawn valley.
+ * @param softness radius of the rounded bottom, 0..1, in units of half the valley's width after widening.
  * @param widened factor, at least 1, that makes the valley wider and divides its depth, so that the volume stays the same.
  * @returns depth as a fraction of the valley's depth; `1 / widened` at the bottom.
  */

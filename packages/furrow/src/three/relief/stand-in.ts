@@ -34,7 +34,7 @@ export class StandIn {
     this.#mesh = mesh
     this.#dense = dense
     this.#host = host
-    // The dense mesh shares the matrix of its parent, so that it also follows a page that updates matrices itself.
+    // Some pages update `matrixWorld` of the mesh themselves, and not of its children. The dense mesh therefore has the same matrix object.
     dense.matrixWorld = mesh.matrixWorld
     this.#hookDense()
   }

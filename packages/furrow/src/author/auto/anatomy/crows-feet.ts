@@ -17,7 +17,7 @@ import {
 const TEMPLE_DISTANCE = 60
 /** Distance, in millimetres, from the corner to the centre of the fan inside the eye, so that the lines at the corner are apart from each other. */
 const INSIDE = 6
-/** Distances from the corner, in millimetres. The compression fades in from the first to the second. */
+/** Distances from the corner, in millimetres. The compression starts at the first distance and has full strength at the second. */
 const START = [0, 4] as const
 /** Number of directions for which a reach of the fan is drawn, and range of the random factors on `reach`. */
 const REACHES = 7

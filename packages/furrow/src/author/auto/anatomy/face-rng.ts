@@ -62,15 +62,15 @@ export class FaceRng {
    * Draws the lines of a part that crosses the middle of the face.
    *
    * @param draw draws one line with the generator that it gets. Each line must take the same count of numbers.
-   * @param mirroredOf returns the index of the line on the left that a line on the right mirrors, the line's own index in the middle, and
-   *   undefined on the left. Default: the lines are ordered from the person's right to the left.
+   * @param mirroredOf takes the index of a line. For a line on the right, returns the index of the line on the left that it mirrors. For a line
+   *   in the middle, returns the same index. For a line on the left, returns undefined. Default: lines are ordered from the person's right to left.
    */
   row<Line>(
     count: number,
     draw: (rng: FaceRng, index: number) => Line,
     mirroredOf = (i: number): number | undefined => (2 * i < count ? count - 1 - i : undefined),
   ): Line[] {
-    // Lines on the right mirror lines that follow, so all lines are drawn once to find where their numbers start.
+    // A line on the right can need the numbers of a later line. So all lines are drawn once, only to find where the numbers of each line start.
     const starts = Array.from({ length: count }, (_, i) => {
       const start = this.#own.copy()
       draw(new FaceRng(this.#own, 0), i)

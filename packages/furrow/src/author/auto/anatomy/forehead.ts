@@ -19,11 +19,14 @@ const MIDDLE = 4
 const HALVES = 9
 /** Distance, in millimetres, by which the flattened patch extends beyond the folds (see `SkinFilm.isFlattened`). */
 const BORDER = 8
-/** Range of heights above the brows, in millimetres. The compression fades in from the first to the second. */
+/** Heights above the brows, in millimetres. The compression starts at the first height and has full strength at the second. */
 const LOWER_EDGE = [3, 13] as const
-/** Range of distances below the hairline, in millimetres. The compression fades in from the first to the second. */
+/** Distances below the hairline, in millimetres. The compression starts at the first distance and has full strength at the second. */
 const UPPER_EDGE = [0, 16] as const
-/** Distances from the middle of the face, divided by the distance of the outer brow. The compression fades in from the first to the second. */
+/**
+ * Distances from the middle of the face, divided by the distance of the outer brow. The compression starts at the first distance and has full
+ * strength at the second.
+ */
 const OUTER_EDGE = [1.4, 0.3] as const
 
 /**

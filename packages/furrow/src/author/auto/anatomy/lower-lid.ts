@@ -8,7 +8,7 @@ import { type FaceContext, type FaceRegion, fade, type Side, type SkinFilm } fro
 /** Distances below the margin of the lower lid, in millimetres. Downwards, folds fade in across `UPPER_EDGE`, and out across `LOWER_EDGE`. */
 const UPPER_EDGE = [1, 4] as const
 const LOWER_EDGE = [9, 18] as const
-/** Distances from each corner of the eye towards the middle of the eye, in millimetres. Folds fade in from the first to the second. */
+/** Distances from each corner towards the middle of the eye, mm. Folds start at the first distance and have full strength at the second. */
 const INNER_EDGE = [-8, 0] as const
 const OUTER_EDGE = [-4, 3] as const
 /** Distance, in millimetres, by which the flattened patch extends below and beside the folds (see `SkinFilm.isFlattened`). */

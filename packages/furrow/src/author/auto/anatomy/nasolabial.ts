@@ -17,8 +17,8 @@ const DEPTHS = [0.6, 0.95, 1, 1, 0.9, 0.75, 0.55]
 
 /**
  * Creates the nasolabial fold: a deep line that starts in the groove beside the wing of the nose and passes the corner of the mouth. The cheek
- * bulges over it. Its curve is made on the face in a smile of 0.7, where it is smooth. On a face in a sneer or in a full smile, it would have a
- * hook.
+ * bulges over it. The curve is drawn on the face with 70% of a smile, in which real folds are smooth, and then moved to the resting face. Drawn on
+ * a sneering or fully smiling face, the curve would have a hook.
  */
 export function nasolabial(context: FaceContext, side: Side, name: string): FaceRegion {
   const { landmarks, byAge, rngOf, motionOf } = context
@@ -34,7 +34,7 @@ export function nasolabial(context: FaceContext, side: Side, name: string): Face
   const end = [corner[0] + BESIDE_MOUTH + rng.jitter(1), corner[1] - byAge(2, 9) + rng.jitter(2.5)] as const
   const [dx, dy] = [end[0] - start[0], end[1] - start[1]]
   const handle = HANDLE * length2(dx, dy)
-  // The fold leaves the nose outside the chord, and runs downwards beside the mouth.
+  // Compared with a straight line between its ends, the fold begins further outwards. It ends downwards, beside the mouth.
   const leaving = atan2(dy, dx) + 0.3 + rng.jitter(0.15)
   const arriving = -Math.PI / 2 + rng.jitter(0.15)
   const path = bezierPath(

@@ -16,10 +16,10 @@ import {
 /** Distances from the inner corner of the eye, in millimetres. With distance, folds fade in across `START`, and out across `END`. */
 const START = [3, 9] as const
 const END = [20, 31] as const
-/** Directions from the corner of the eye in degrees below the horizontal. Folds fade in from the first to the second. */
+/** Directions from the corner of the eye, in degrees below the horizontal. Folds start at the first direction and have full strength at the second. */
 const UPPER_EDGE = [-14, 10] as const
 const CHEEK = [80, 52] as const
-/** Distances from the middle of the face, in millimetres. On the ridge of the nose, folds fade in from the first to the second. */
+/** Distances from the ridge of the nose, in millimetres. Folds start at the first distance and have full strength at the second. */
 const RIDGE = [0, 6] as const
 /** Factor on the slope of the folds. With a factor of 1, they would lie on lines through the corner of the eye. */
 const FLATTENING = 0.52

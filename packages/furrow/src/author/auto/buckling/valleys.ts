@@ -183,7 +183,7 @@ function steepestAxis({ xx, xy, yy }: { xx: number; xy: number; yy: number }) {
   const half = (xx - yy) / 2
   const radius = length2(half, xy)
   const curvature = (xx + yy) / 2 + radius
-  // (half + radius, xy) and (xy, radius - half) are parallel eigenvectors. The longer one has no difference of nearly equal numbers.
+  // (half + radius, xy) and (xy, radius - half) are parallel eigenvectors. In the longer one, no subtraction loses precision.
   const [x, y] = half > 0 ? [half + radius, xy] : [xy, radius - half]
   const size = length2(x, y)
   return size > 0 ? { x: x / size, y: y / size, curvature } : { x: 1, y: 0, curvature }

@@ -36,7 +36,7 @@ export function findHandsByShape(skeleton: SkinSkeleton, isMoving: readonly bool
     }))
 }
 
-/** Recognises a neck between two hands: the only other part of the skeleton above the joint at which the arms meet. */
+/** Recognises the neck of a skeleton with two hands: the only branch besides the arms at the joint where the arms meet. */
 export function findNeckByShape(
   skeleton: SkinSkeleton,
   hands: readonly HandJoints[],
@@ -64,7 +64,7 @@ export function findNeckByShape(
   }
 }
 
-/** Returns the joints of a chain without branches that move the skin; undefined if the chain branches. */
+/** Follows a chain of joints from `first` to its end. Returns the joints that move the skin, or undefined if the chain branches. */
 function chainFrom(
   { joints }: SkinSkeleton,
   first: number,

@@ -1,7 +1,7 @@
 /**
- * TSL that mixes the value maps of layers (base colour, roughness, occlusion, blood) into the maps of a material. The formulas are those of
- * the GLSL in `webgl/`, and of the reference implementation in `core/reference`. The code avoids `select`, which TSL compiles to a branch. On
- * a software rasteriser, one branch takes a tenth of the time that the same face takes without wrinkles.
+ * TSL that mixes the value maps of layers (base colour, roughness, occlusion, blood) into the maps of a material. The formulas are the same as
+ * in the GLSL of `webgl/`, and in the reference implementation, `core/reference`. The code avoids `select`, which TSL compiles to a branch. On a
+ * software rasteriser, a single branch costs a tenth of the draw time of the face without wrinkles.
  */
 import { max, mix, step, vec3 } from 'three/tsl'
 import type { Node } from 'three/webgpu'
@@ -19,7 +19,7 @@ type SingleKind = Exclude<MixedKind, 'baseColor'>
 export interface ValueMixer {
   /** @param base base colour in the map of the material; 1 without a map. */
   mixColour(base: Node<'vec3'>): Node<'vec3'>
-  /** @param base value in the map of the material; 1 without a map, 0 for blood. */
+  /** @param base value of the material's own map, or 1 if it has none. 0 for blood, because materials have no blood map. */
   mixValue(kind: SingleKind, base: Node<'float'>): Node<'float'>
 }
 
