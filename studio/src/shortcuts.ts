@@ -1,96 +1,88 @@
-import { TOOLS } from './labels.ts'
-
-interface Shortcut {
-  /** Values of `KeyboardEvent.key`, with the prefixes `Mod+` (Control, or Command on a Mac), `Alt+` and `Shift+`. */
-  readonly keys: readonly string[]
-  readonly label: string
-}
-
-/** All shortcuts, by scope. A scope is the tool or the element that handles the shortcuts. */
+/**
+ * Keys of all shortcuts, by scope. A scope is the tool or the element that handles the shortcuts. Keys are values of `KeyboardEvent.key`, with the
+ * prefixes `Mod+` (Control, or Command on a Mac), `Alt+` and `Shift+`.
+ */
 export const SHORTCUTS = {
   everywhere: {
-    undo: { keys: ['Mod+z'], label: 'Undo' },
-    redo: { keys: ['Mod+Shift+z', 'Mod+y'], label: 'Redo' },
-    save: { keys: ['Mod+s'], label: 'Save the project (to its folder, if it has one)' },
-    cancel: { keys: ['Escape'], label: 'Cancel the gesture of the pointer' },
-    list: { keys: ['?'], label: 'Show this list' },
-    expression: {
-      keys: ['1', '2', '3', '4', '5', '6', '7', '8', '9'],
-      label: 'Play an expression of this avatar',
-    },
+    undo: ['Mod+z'],
+    redo: ['Mod+Shift+z', 'Mod+y'],
+    save: ['Mod+s'],
+    cancel: ['Escape'],
+    list: ['?'],
+    expression: ['1', '2', '3', '4', '5', '6', '7', '8', '9'],
   },
   stage: {
-    overlay: { keys: ['h'], label: 'Hide or show the lines over the face' },
-    wrinkles: { keys: ['w'], label: 'Hide or show the wrinkles' },
-    frame: { keys: ['f'], label: 'Look at the selection' },
+    overlay: ['h'],
+    wrinkles: ['w'],
+    frame: ['f'],
   },
   tools: {
-    select: { keys: ['v'], label: TOOLS.select },
-    draw: { keys: ['d'], label: TOOLS.draw },
-    bend: { keys: ['g'], label: TOOLS.bend },
-    smooth: { keys: ['s'], label: TOOLS.smooth },
-    erase: { keys: ['e'], label: TOOLS.erase },
-    paint: { keys: ['b'], label: TOOLS.paint },
-    polygon: { keys: ['p'], label: TOOLS.polygon },
-    mirror: { keys: ['m'], label: `${TOOLS.mirror}: change both halves of the face` },
+    select: ['v'],
+    draw: ['d'],
+    bend: ['g'],
+    smooth: ['s'],
+    erase: ['e'],
+    paint: ['b'],
+    polygon: ['p'],
+    mirror: ['m'],
   },
   face: {
-    left: { keys: ['ArrowLeft'], label: 'Orbit to the left' },
-    right: { keys: ['ArrowRight'], label: 'Orbit to the right' },
-    up: { keys: ['ArrowUp'], label: 'Orbit upwards' },
-    down: { keys: ['ArrowDown'], label: 'Orbit downwards' },
-    nearer: { keys: ['+', '='], label: 'Nearer' },
-    farther: { keys: ['-'], label: 'Farther' },
+    left: ['ArrowLeft'],
+    right: ['ArrowRight'],
+    up: ['ArrowUp'],
+    down: ['ArrowDown'],
+    nearer: ['+', '='],
+    farther: ['-'],
   },
   painting: {
-    smaller: { keys: ['['], label: 'Smaller brush' },
-    larger: { keys: [']'], label: 'Larger brush' },
-    swap: { keys: ['x'], label: 'Exchange adding and removing' },
+    smaller: ['['],
+    larger: [']'],
+    swap: ['x'],
   },
   polygon: {
-    close: { keys: ['Enter'], label: 'Close the polygon' },
-    back: { keys: ['Backspace'], label: 'Remove the last point' },
-    clear: { keys: ['Escape'], label: 'Discard the polygon' },
+    close: ['Enter'],
+    back: ['Backspace'],
+    clear: ['Escape'],
   },
   lines: {
-    remove: { keys: ['Delete', 'Backspace'], label: 'Delete the point or the lines that are chosen' },
+    remove: ['Delete', 'Backspace'],
   },
   bending: {
-    smaller: { keys: ['['], label: 'Fewer points move along' },
-    larger: { keys: [']'], label: 'More points move along' },
+    smaller: ['['],
+    larger: [']'],
   },
   linePoint: {
-    left: { keys: ['ArrowLeft', 'Shift+ArrowLeft'], label: 'To the left on the face, far with Shift' },
-    right: { keys: ['ArrowRight', 'Shift+ArrowRight'], label: 'To the right on the face, far with Shift' },
-    up: { keys: ['ArrowUp', 'Shift+ArrowUp'], label: 'Upwards on the face, far with Shift' },
-    down: { keys: ['ArrowDown', 'Shift+ArrowDown'], label: 'Downwards on the face, far with Shift' },
-    remove: { keys: ['Delete', 'Backspace'], label: 'Delete the point' },
+    left: ['ArrowLeft', 'Shift+ArrowLeft'],
+    right: ['ArrowRight', 'Shift+ArrowRight'],
+    up: ['ArrowUp', 'Shift+ArrowUp'],
+    down: ['ArrowDown', 'Shift+ArrowDown'],
+    remove: ['Delete', 'Backspace'],
   },
   texture: {
-    left: { keys: ['ArrowLeft'], label: 'To the left' },
-    right: { keys: ['ArrowRight'], label: 'To the right' },
-    up: { keys: ['ArrowUp'], label: 'Upwards' },
-    down: { keys: ['ArrowDown'], label: 'Downwards' },
-    nearer: { keys: ['+', '='], label: 'Nearer' },
-    farther: { keys: ['-'], label: 'Farther' },
-    reset: { keys: ['0'], label: 'The whole texture' },
+    left: ['ArrowLeft'],
+    right: ['ArrowRight'],
+    up: ['ArrowUp'],
+    down: ['ArrowDown'],
+    nearer: ['+', '='],
+    farther: ['-'],
+    reset: ['0'],
   },
   curve: {
-    left: { keys: ['ArrowLeft', 'Shift+ArrowLeft'], label: 'To the left, far with Shift' },
-    right: { keys: ['ArrowRight', 'Shift+ArrowRight'], label: 'To the right, far with Shift' },
-    up: { keys: ['ArrowUp', 'Shift+ArrowUp'], label: 'Upwards, far with Shift' },
-    down: { keys: ['ArrowDown', 'Shift+ArrowDown'], label: 'Downwards, far with Shift' },
-    remove: { keys: ['Delete', 'Backspace'], label: 'Delete the point' },
+    left: ['ArrowLeft', 'Shift+ArrowLeft'],
+    right: ['ArrowRight', 'Shift+ArrowRight'],
+    up: ['ArrowUp', 'Shift+ArrowUp'],
+    down: ['ArrowDown', 'Shift+ArrowDown'],
+    remove: ['Delete', 'Backspace'],
   },
   divider: {
-    left: { keys: ['ArrowLeft', 'ArrowDown'], label: 'To the left' },
-    right: { keys: ['ArrowRight', 'ArrowUp'], label: 'To the right' },
-    farLeft: { keys: ['PageDown', 'Shift+ArrowLeft', 'Shift+ArrowDown'], label: 'Far to the left' },
-    farRight: { keys: ['PageUp', 'Shift+ArrowRight', 'Shift+ArrowUp'], label: 'Far to the right' },
-    start: { keys: ['Home'], label: 'Wrinkles everywhere' },
-    end: { keys: ['End'], label: 'Wrinkles nowhere' },
+    left: ['ArrowLeft', 'ArrowDown'],
+    right: ['ArrowRight', 'ArrowUp'],
+    farLeft: ['PageDown', 'Shift+ArrowLeft', 'Shift+ArrowDown'],
+    farRight: ['PageUp', 'Shift+ArrowRight', 'Shift+ArrowUp'],
+    start: ['Home'],
+    end: ['End'],
   },
-} as const satisfies Record<string, Record<string, Shortcut>>
+} as const satisfies Record<string, Record<string, readonly string[]>>
 
 export type Scope = keyof typeof SHORTCUTS
 export type ShortcutName<S extends Scope> = keyof (typeof SHORTCUTS)[S] & string
@@ -99,8 +91,8 @@ export type ShortcutName<S extends Scope> = keyof (typeof SHORTCUTS)[S] & string
 export function shortcutOf<S extends Scope>(scope: S, event: KeyboardEvent): ShortcutName<S> | undefined {
   const pressed = keyOf(event)
   if (isTyped(pressed, event.target)) return undefined
-  const entries = Object.entries<Shortcut>(SHORTCUTS[scope])
-  return entries.find(([, { keys }]) => keys.includes(pressed))?.[0] as ShortcutName<S> | undefined
+  const entries = Object.entries<readonly string[]>(SHORTCUTS[scope])
+  return entries.find(([, keys]) => keys.includes(pressed))?.[0] as ShortcutName<S> | undefined
 }
 
 /** Handles the shortcuts of the scope `everywhere`. Prevents the browser's default actions for these keys. */

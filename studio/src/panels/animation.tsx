@@ -1,4 +1,5 @@
-import { FILE, PLACES } from '../labels.ts'
+import { PLACES } from '../labels/page.ts'
+import { FILE } from '../labels/project.ts'
 import type { ClipPlayer } from '../viewer/pose/clip-player.ts'
 import { Check } from './controls/check.tsx'
 import { Choice } from './controls/choice.tsx'

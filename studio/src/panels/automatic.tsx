@@ -6,7 +6,8 @@ import {
   AUTO_SYMMETRIES,
   type AutoSettings,
 } from '../document/document.ts'
-import { AUTOMATIC, regionName } from '../labels.ts'
+import { AUTOMATIC } from '../labels/automatic.ts'
+import { regionName } from '../labels/names.ts'
 import { FileButton } from './controls/file-button.tsx'
 import { NumberSlider } from './controls/number-slider.tsx'
 import type { PanelModel } from './model.ts'

@@ -1,7 +1,7 @@
 import { MAX_BLOOD_AMPLITUDE } from 'furrow/internal'
 import { useId, useRef } from 'preact/hooks'
 import { MAP_NAMES, type MapName, type StudioLayer } from '../document/document.ts'
-import { PLACES } from '../labels.ts'
+import { PLACES } from '../labels/page.ts'
 import type { LayerEditor } from '../session/layer-editor.ts'
 import { Choice } from './controls/choice.tsx'
 import { FileButton } from './controls/file-button.tsx'

@@ -1,6 +1,7 @@
 import { useId } from 'preact/hooks'
 import type { LayerStroke } from '../document/document.ts'
-import { LINE, regionLabel } from '../labels.ts'
+import { LINE } from '../labels/lines.ts'
+import { regionLabel } from '../labels/names.ts'
 import type { LineEditor } from '../lines/line-editor.ts'
 import { type ShortcutName, shortcutOf } from '../shortcuts.ts'
 import { LabelledGroup } from './controls/labelled-group.tsx'

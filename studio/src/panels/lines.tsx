@@ -1,6 +1,6 @@
 import { BANK_WIDTHS, isBulge } from 'furrow/internal'
 import { useId } from 'preact/hooks'
-import { LINE } from '../labels.ts'
+import { LINE } from '../labels/lines.ts'
 import { type LineEditor, type LineMode, REACH_RANGE } from '../lines/line-editor.ts'
 import { type LineShape, meanTaper } from '../lines/line-shape.ts'
 import { NumberSlider } from './controls/number-slider.tsx'

@@ -1,4 +1,4 @@
-import { VIEW } from '../labels.ts'
+import { VIEW } from '../labels/stage.ts'
 import { reducedMotion } from '../motion.ts'
 import { Icon } from '../ui/icon.tsx'
 import { ballPoint, clampedLight, lightOnBall } from '../viewer/light-direction.ts'

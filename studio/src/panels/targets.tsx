@@ -1,6 +1,6 @@
 import { useSignal } from '@preact/signals'
 import { useMemo } from 'preact/hooks'
-import { PLACES } from '../labels.ts'
+import { PLACES } from '../labels/page.ts'
 import { type Dial, groupShapes, type ShapeGroup } from '../viewer/pose/dials.ts'
 import { FilterInput } from './controls/filter-input.tsx'
 import { Section } from './controls/section.tsx'

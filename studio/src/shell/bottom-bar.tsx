@@ -1,5 +1,6 @@
 import { signal } from '@preact/signals'
-import { expressionLabel, PLACES } from '../labels.ts'
+import { expressionLabel } from '../labels/names.ts'
+import { PLACES } from '../labels/page.ts'
 import { PosePicture } from '../panels/controls/pose-picture.tsx'
 import type { PanelModel } from '../panels/model.ts'
 import { Targets } from '../panels/targets.tsx'

@@ -1,5 +1,7 @@
 import type { ComponentChildren } from 'preact'
-import { CARD, LINE, PLACES } from '../labels.ts'
+import { LINE } from '../labels/lines.ts'
+import { PLACES } from '../labels/page.ts'
+import { CARD } from '../labels/stage.ts'
 import { NumberSlider } from '../panels/controls/number-slider.tsx'
 import { Reasons } from '../panels/drivers/reasons.tsx'
 import { LineSection } from '../panels/line-section.tsx'

@@ -1,4 +1,4 @@
-import { VIEW } from '../labels.ts'
+import { VIEW } from '../labels/stage.ts'
 import { Choice } from '../panels/controls/choice.tsx'
 import type { PanelModel } from '../panels/model.ts'
 import { StagingControls } from '../panels/staging.tsx'

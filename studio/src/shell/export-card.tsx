@@ -1,7 +1,7 @@
 import { useSignal } from '@preact/signals'
 import { WRINKLE_MAPS } from 'furrow/internal'
 import { useId } from 'preact/hooks'
-import { FILE } from '../labels.ts'
+import { FILE } from '../labels/project.ts'
 import { Check } from '../panels/controls/check.tsx'
 import type { PanelModel } from '../panels/model.ts'
 import type { ExportState } from '../session/exporting.ts'

@@ -1,4 +1,5 @@
-import { FILE, HINTS } from '../labels.ts'
+import { FILE } from '../labels/project.ts'
+import { HINTS } from '../labels/stage.ts'
 import type { PanelModel } from '../panels/model.ts'
 
 /** Hint over the face, for users who open their first avatar. */

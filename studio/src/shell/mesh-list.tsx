@@ -1,5 +1,5 @@
 import type { Mesh } from 'three'
-import { PLACES } from '../labels.ts'
+import { PLACES } from '../labels/page.ts'
 import { Section } from '../panels/controls/section.tsx'
 import type { PanelModel } from '../panels/model.ts'
 import { Icon } from '../ui/icon.tsx'

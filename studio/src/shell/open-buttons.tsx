@@ -1,4 +1,4 @@
-import { FILE } from '../labels.ts'
+import { FILE } from '../labels/project.ts'
 import { FileButton } from '../panels/controls/file-button.tsx'
 import type { PanelModel } from '../panels/model.ts'
 

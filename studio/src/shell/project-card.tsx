@@ -1,7 +1,7 @@
 import { useSignal } from '@preact/signals'
 import { useEffect } from 'preact/hooks'
 import { displayName } from '../display-name.ts'
-import { FILE } from '../labels.ts'
+import { FILE } from '../labels/project.ts'
 import { Recent } from '../panels/keeping/recent.tsx'
 import { SaveProject } from '../panels/keeping/save-project.tsx'
 import type { PanelModel } from '../panels/model.ts'

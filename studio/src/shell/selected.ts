@@ -1,5 +1,7 @@
 import type { StudioArea } from '../document/document.ts'
-import { linesLabel, PLACES, regionLabel } from '../labels.ts'
+import { linesLabel } from '../labels/lines.ts'
+import { regionLabel } from '../labels/names.ts'
+import { PLACES } from '../labels/page.ts'
 import type { PanelModel } from '../panels/model.ts'
 
 /** Selection that the inspector shows. */

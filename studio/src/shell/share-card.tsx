@@ -1,5 +1,5 @@
 import { useSignal } from '@preact/signals'
-import { FILE } from '../labels.ts'
+import { FILE } from '../labels/project.ts'
 import type { PanelActions } from '../panels/model.ts'
 import { Popover } from '../ui/popover.tsx'
 

@@ -1,5 +1,5 @@
 import { effect, signal } from '@preact/signals'
-import { PLACES } from '../labels.ts'
+import { PLACES } from '../labels/page.ts'
 
 /** Panels that share the sheet of a small page. */
 const SHEETS = [

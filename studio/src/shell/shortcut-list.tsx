@@ -1,34 +1,11 @@
 import type { Signal } from '@preact/signals'
-import { FILE } from '../labels.ts'
+import { FILE } from '../labels/project.ts'
+import { KEYS, SCOPES, SHORTCUT_LABELS } from '../labels/shortcuts.ts'
 import { type Scope, SHORTCUTS } from '../shortcuts.ts'
 import { Dialog } from '../ui/dialog.tsx'
 
-const SCOPES: Record<Scope, string> = {
-  everywhere: 'Everywhere',
-  stage: 'Stage',
-  tools: 'Tools',
-  face: 'On the face',
-  painting: 'While painting',
-  polygon: 'While a polygon is drawn',
-  lines: 'On the face, while lines are edited',
-  bending: 'While lines are bent',
-  linePoint: 'On a point of a line, in the panel',
-  texture: 'On the texture',
-  curve: 'On a point of a curve',
-  divider: 'On the divider',
-}
-
 const isMac = /^Mac/.test(navigator.platform)
-const SIGNS: Record<string, string> = {
-  Mod: isMac ? '⌘' : 'Ctrl',
-  Escape: 'Esc',
-  ArrowLeft: '←',
-  ArrowRight: '→',
-  ArrowUp: '↑',
-  ArrowDown: '↓',
-  PageUp: 'Page up',
-  PageDown: 'Page down',
-}
+const SIGNS: Readonly<Record<string, string>> = { ...KEYS, Mod: isMac ? '⌘' : 'Ctrl' }
 
 export function ShortcutList({ isOpen }: { isOpen: Signal<boolean> }) {
   return (
@@ -38,10 +15,10 @@ export function ShortcutList({ isOpen }: { isOpen: Signal<boolean> }) {
           <section key={scope}>
             <h3>{SCOPES[scope]}</h3>
             <dl>
-              {Object.entries(SHORTCUTS[scope]).map(([name, { keys, label }]) => (
+              {Object.entries<string>(SHORTCUT_LABELS[scope]).map(([name, label]) => (
                 <div key={name}>
                   <dt>
-                    <Keys keys={keys} />
+                    <Keys keys={keysOf(scope, name)} />
                   </dt>
                   <dd>{label}</dd>
                 </div>
@@ -52,6 +29,10 @@ export function ShortcutList({ isOpen }: { isOpen: Signal<boolean> }) {
       </div>
     </Dialog>
   )
+}
+
+function keysOf(scope: Scope, name: string): readonly string[] {
+  return (SHORTCUTS[scope] as Readonly<Record<string, readonly string[]>>)[name]
 }
 
 /** Alternative keys of a shortcut. */

@@ -1,5 +1,5 @@
 import { displayName } from '../display-name.ts'
-import { START } from '../labels.ts'
+import { START } from '../labels/project.ts'
 import { Recent } from '../panels/keeping/recent.tsx'
 import type { PanelModel } from '../panels/model.ts'
 import { OpenButtons } from './open-buttons.tsx'

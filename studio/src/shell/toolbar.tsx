@@ -1,4 +1,4 @@
-import { TOOLS } from '../labels.ts'
+import { TOOLS } from '../labels/page.ts'
 import type { PanelModel } from '../panels/model.ts'
 import { SHORTCUTS } from '../shortcuts.ts'
 import { TOOL_NAMES } from '../tools/tool-choice.ts'
@@ -14,7 +14,7 @@ export function Toolbar({ model: { tools, session } }: { model: PanelModel }) {
           key={tool}
           label={TOOLS[tool]}
           icon={tool}
-          shortcut={SHORTCUTS.tools[tool].keys[0].toUpperCase()}
+          shortcut={SHORTCUTS.tools[tool][0].toUpperCase()}
           isPressed={tools.tool.value === tool}
           isDisabled={!hasDocument && tool !== 'select'}
           onPress={() => tools.choose(tool)}
@@ -23,7 +23,7 @@ export function Toolbar({ model: { tools, session } }: { model: PanelModel }) {
       <ToolButton
         label={TOOLS.mirror}
         icon="mirror"
-        shortcut={SHORTCUTS.tools.mirror.keys[0].toUpperCase()}
+        shortcut={SHORTCUTS.tools.mirror[0].toUpperCase()}
         isPressed={tools.mirror.value}
         isDisabled={!hasDocument}
         onPress={() => {

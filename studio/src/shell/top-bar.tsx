@@ -1,4 +1,5 @@
-import { FILE, MODES } from '../labels.ts'
+import { MODES } from '../labels/page.ts'
+import { FILE } from '../labels/project.ts'
 import { KeepStatus } from '../panels/keeping/keep-status.tsx'
 import type { PanelModel } from '../panels/model.ts'
 import { MODE_NAMES, type Mode } from '../tools/tool-choice.ts'

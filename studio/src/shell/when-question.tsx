@@ -1,5 +1,5 @@
 import { UNSET } from '../document/drivers.ts'
-import { CARD, inExpression } from '../labels.ts'
+import { CARD, inExpression } from '../labels/stage.ts'
 import type { PanelModel } from '../panels/model.ts'
 
 /** Asks when a line shows that was drawn on bare skin: always, or with the expression that the face has. */

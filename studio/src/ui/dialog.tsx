@@ -3,7 +3,7 @@ import * as dialog from '@zag-js/dialog'
 import { normalizeProps, useMachine } from '@zag-js/preact'
 import type { ComponentChildren } from 'preact'
 import { useId } from 'preact/hooks'
-import { FILE } from '../labels.ts'
+import { FILE } from '../labels/project.ts'
 
 interface DialogProps {
   title: string

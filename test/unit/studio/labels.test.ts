@@ -2,7 +2,7 @@ import { AUTO_REGIONS } from 'furrow/author'
 import { expect, it, test } from 'vitest'
 import { BOTH_SIDES, CENTRAL } from '../../../packages/furrow/src/drivers/morph/aliases.ts'
 import { displayName } from '../../../studio/src/display-name.ts'
-import { blendshapeLabel, regionLabel, regionName } from '../../../studio/src/labels.ts'
+import { blendshapeLabel, regionLabel, regionName } from '../../../studio/src/labels/names.ts'
 
 test.each([
   ['foreheadInnerLeft', 'Inner forehead, left'],

@@ -1,7 +1,7 @@
 import type { Link, WrinkleDriver } from 'furrow'
 import { type Contribution, canonicalTargetName } from 'furrow/internal'
 import { areaOf } from '../../document/drivers.ts'
-import { blendshapeLabel, regionLabel } from '../../labels.ts'
+import { blendshapeLabel, regionLabel } from '../../labels/names.ts'
 import type { PanelModel } from '../model.ts'
 import { useThrottled } from './throttled.ts'
 import { driverTypeOf } from './types/types.ts'

@@ -1,5 +1,6 @@
 import { useMemo } from 'preact/hooks'
-import { expressionLabel, WHEN } from '../../labels.ts'
+import { expressionLabel } from '../../labels/names.ts'
+import { WHEN } from '../../labels/regions.ts'
 import { PosePicture } from '../controls/pose-picture.tsx'
 import type { PanelModel } from '../model.ts'
 

@@ -1,6 +1,7 @@
 import type { Link, WrinkleDriver } from 'furrow'
 import { canonicalTargetName } from 'furrow/internal'
-import { blendshapeLabel, expressionLabel, nameLabel, regionLabel, WHEN } from '../../labels.ts'
+import { blendshapeLabel, expressionLabel, nameLabel, regionLabel } from '../../labels/names.ts'
+import { WHEN } from '../../labels/regions.ts'
 import type { DriverContext } from './context.ts'
 import { DriverCurve } from './fields.tsx'
 import { LinkCurve } from './link-list.tsx'

@@ -1,5 +1,5 @@
 import type { ProjectEntry } from '../../keep/project-store.ts'
-import { FILE } from '../../labels.ts'
+import { FILE } from '../../labels/project.ts'
 import type { PanelModel } from '../model.ts'
 
 export function Recent({ model: { projects, actions } }: { model: PanelModel }) {

@@ -1,5 +1,5 @@
 import { canWriteFolders } from '../../keep/disk-folder.ts'
-import { FILE } from '../../labels.ts'
+import { FILE } from '../../labels/project.ts'
 import type { PanelModel } from '../model.ts'
 
 /** Buttons that save the project as a .zip file or, if the browser can write folders, as a folder. */

@@ -1,4 +1,4 @@
-import { PLACES, TOOLS } from '../../labels.ts'
+import { PLACES, TOOLS } from '../../labels/page.ts'
 import { BRUSH_MODES, type Brush } from '../../paint/brush.ts'
 import type { Painting } from '../../tools/painting.ts'
 import { Choice } from '../controls/choice.tsx'

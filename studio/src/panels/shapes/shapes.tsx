@@ -1,7 +1,7 @@
 import { useSignal } from '@preact/signals'
 import { useEffect, useId } from 'preact/hooks'
 import { hasOutdatedWrinkles } from '../../document/shapes.ts'
-import { PLACES } from '../../labels.ts'
+import { PLACES } from '../../labels/page.ts'
 import type { ShapeRow as Row } from '../../session/shape-editor.ts'
 import { Check } from '../controls/check.tsx'
 import { FilterInput } from '../controls/filter-input.tsx'

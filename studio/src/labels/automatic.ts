@@ -1,0 +1,11 @@
+/** Fields of automatic wrinkles. */
+export const AUTOMATIC = {
+  age: 'Age',
+  strength: 'Strength',
+  symmetry: 'Symmetry',
+  size: 'Map size',
+  shuffle: 'Shuffle',
+  regions: 'Regions with wrinkles',
+  savePreset: 'Save preset…',
+  applyPreset: 'Apply preset…',
+} as const
