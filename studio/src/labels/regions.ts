@@ -14,11 +14,3 @@ export const REGION = {
   paper: 'White = no wrinkles',
   reset: 'Reset',
 } as const
-
-/** Headings and texts of the tab that tells when a region shows. */
-export const WHEN = {
-  expressions: 'Expressions that show it',
-  noExpression: 'No expression of this avatar shows it.',
-  strongest: 'Strongest drivers',
-  noDriver: 'No driver shows it, only its slider.',
-} as const

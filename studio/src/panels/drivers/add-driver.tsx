@@ -2,6 +2,7 @@ import { useSignal } from '@preact/signals'
 import type { WrinkleDriver } from 'furrow'
 import { useId } from 'preact/hooks'
 import type { StudioDocument } from '../../document/document.ts'
+import { DRIVERS } from '../../labels/drivers.ts'
 import { faceOf } from '../../open/avatar.ts'
 import { jointsOf } from '../../viewer/pose/joints.ts'
 import { muscleAxis } from '../../viewer/pose/muscle-axis.ts'
@@ -27,7 +28,7 @@ export function AddDriver({ document, context, onAdd }: AddDriverProps) {
   return (
     <div class="add-driver">
       <label for={id} class="hidden">
-        Driver to add
+        {DRIVERS.type}
       </label>
       <select
         id={id}
@@ -49,7 +50,7 @@ export function AddDriver({ document, context, onAdd }: AddDriverProps) {
           if (driver) onAdd(driver)
         }}
       >
-        Add driver
+        {DRIVERS.add}
       </button>
     </div>
   )

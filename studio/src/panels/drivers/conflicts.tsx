@@ -2,6 +2,7 @@ import { useComputed } from '@preact/signals'
 import type { ConflictDriver } from 'furrow'
 import { canonicalTargetName } from 'furrow/internal'
 import { conflictsOf } from '../../document/driver-problems.ts'
+import { CONFLICTS, removeConflictLabel, takenLabel } from '../../labels/drivers.ts'
 import type { DriverContext } from './context.ts'
 import { NameSelect, optionsOf } from './fields.tsx'
 
@@ -16,13 +17,10 @@ export function Conflicts({ context }: { context: DriverContext }) {
   return (
     <details class="conflicts">
       <summary>
-        Conflicts
+        {CONFLICTS.title}
         <span>{own.length}</span>
       </summary>
-      <p class="hint">
-        Two blendshapes that undo each other, as a brow raised and lowered. Raised together, the smaller is
-        taken from both before wrinkles follow them; the face itself moves as before.
-      </p>
+      <p class="hint">{CONFLICTS.hint}</p>
       {own.map((index) => (
         <Conflict key={index} index={index} driver={drivers[index] as ConflictDriver} context={context} />
       ))}
@@ -31,7 +29,7 @@ export function Conflicts({ context }: { context: DriverContext }) {
           type="button"
           onClick={() => editor.add({ type: 'conflict', targets: [first, oppositeOf(first, targets)] })}
         >
-          Add a conflict
+          {CONFLICTS.add}
         </button>
       </div>
     </details>
@@ -51,7 +49,7 @@ function Conflict({ index, driver, context: { model, editor, targets, slow } }: 
     const dials = model.viewer.value?.targets ?? []
     const read = (name: string) => dials.find((dial) => dial.name === canonicalTargetName(name))?.read() ?? 0
     const common = Math.min(read(a), read(b))
-    return common > 0 ? `${common.toFixed(2)} is taken from both now` : ''
+    return common > 0 ? takenLabel(common) : ''
   })
   const choose = (position: number, name: string) => {
     editor.set(index, 'targets', { targets: driver.targets.map((old, i) => (i === position ? name : old)) })
@@ -60,13 +58,13 @@ function Conflict({ index, driver, context: { model, editor, targets, slow } }: 
   return (
     <div class="conflict">
       <NameSelect
-        label="One side"
+        label={CONFLICTS.one}
         value={a}
         options={optionsOf(targets)}
         onChange={(name) => choose(0, name)}
       />
       <NameSelect
-        label="Other side"
+        label={CONFLICTS.other}
         value={b}
         options={optionsOf(targets)}
         onChange={(name) => choose(1, name)}
@@ -74,8 +72,8 @@ function Conflict({ index, driver, context: { model, editor, targets, slow } }: 
       <button
         type="button"
         class="remove"
-        title="Remove"
-        aria-label={`Remove the conflict of ${a} and ${b}`}
+        title={CONFLICTS.remove}
+        aria-label={removeConflictLabel(a, b)}
         onClick={() => editor.remove(index)}
       >
         ×

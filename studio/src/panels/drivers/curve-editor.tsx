@@ -11,6 +11,14 @@ import {
   stepOf,
   widestGap,
 } from '../../document/curve.ts'
+import {
+  CURVE,
+  curveLabel,
+  curvePointLabel,
+  curvePointOfLabel,
+  curveValueLabel,
+  removeCurvePointLabel,
+} from '../../labels/drivers.ts'
 import { type ShortcutName, shortcutOf } from '../../shortcuts.ts'
 import { type Axis, textOn } from './axes.ts'
 import { NumberField } from './number-field.tsx'
@@ -65,7 +73,7 @@ export function CurveEditor({ label, curve, axis, outputs, now, onMove, onRest }
     if (curve.length > 2) change(removePoint(curve, at))
   }
   return (
-    <fieldset class="curve" aria-label={`Curve of ${label}`}>
+    <fieldset class="curve" aria-label={curveLabel(label)}>
       <svg
         class="curve-plot"
         ref={svg}
@@ -75,7 +83,7 @@ export function CurveEditor({ label, curve, axis, outputs, now, onMove, onRest }
           if (!isOnPoint) add(plot.valueAt(pointIn(svg.current!, event))[0])
         }}
       >
-        <title>Drag the points; a double click adds one</title>
+        <title>{CURVE.hint}</title>
         <Grid plot={plot} axis={axis} ranges={ranges} />
         <polyline class="curve-line" points={lineOf(curve, plot, ranges.input)} />
         <Marker curve={curve} plot={plot} now={now} range={ranges.input} />
@@ -86,11 +94,11 @@ export function CurveEditor({ label, curve, axis, outputs, now, onMove, onRest }
             transform={`translate(${plot.x(point[0])} ${plot.y(point[1])})`}
             role="slider"
             tabIndex={0}
-            aria-label={`Point ${i + 1} of ${curve.length}`}
+            aria-label={curvePointOfLabel(i + 1, curve.length)}
             aria-valuemin={ranges.output[0]}
             aria-valuemax={ranges.output[1]}
             aria-valuenow={point[1]}
-            aria-valuetext={`${axis.label} ${textOn(axis, point[0])} gives ${point[1]}`}
+            aria-valuetext={curveValueLabel(axis.label, textOn(axis, point[0]), point[1])}
             onFocus={() => {
               chosen.value = i
             }}
@@ -132,7 +140,7 @@ export function CurveEditor({ label, curve, axis, outputs, now, onMove, onRest }
       </svg>
       <div class="curve-fields">
         <NumberField
-          label={`Point ${index + 1}`}
+          label={curvePointLabel(index + 1)}
           value={input * axis.factor}
           step={Number((stepOf(axis.range) * axis.factor).toPrecision(1))}
           unit={axis.unit}
@@ -142,7 +150,7 @@ export function CurveEditor({ label, curve, axis, outputs, now, onMove, onRest }
           }}
         />
         <NumberField
-          label="gives"
+          label={CURVE.gives}
           value={output}
           step={0.01}
           range={outputs}
@@ -154,16 +162,16 @@ export function CurveEditor({ label, curve, axis, outputs, now, onMove, onRest }
         <span class="curve-buttons">
           <button
             type="button"
-            title="Add a point"
-            aria-label="Add a point"
+            title={CURVE.add}
+            aria-label={CURVE.add}
             onClick={() => add(widestGap(curve))}
           >
             +
           </button>
           <button
             type="button"
-            title="Remove this point"
-            aria-label={`Remove point ${index + 1}`}
+            title={CURVE.remove}
+            aria-label={removeCurvePointLabel(index + 1)}
             disabled={curve.length === 2}
             onClick={() => remove(index)}
           >

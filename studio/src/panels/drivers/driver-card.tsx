@@ -1,6 +1,7 @@
 import { useComputed } from '@preact/signals'
 import type { WrinkleDriver } from 'furrow'
 import type { DriverProblem } from '../../document/driver-problems.ts'
+import { DRIVERS } from '../../labels/drivers.ts'
 import type { FormProps } from './context.ts'
 import { driverTypeOf } from './types/types.ts'
 
@@ -19,7 +20,7 @@ export function DriverCard({ driver, index, context, problem, open }: DriverCard
       <summary>
         <b>{type?.label ?? driver.type}</b>
         <span class="reads">{type?.reads?.(driver)}</span>
-        <output class="part" title="Current contribution" aria-live="off">
+        <output class="part" title={DRIVERS.contribution} aria-live="off">
           {given}
         </output>
       </summary>
@@ -28,7 +29,7 @@ export function DriverCard({ driver, index, context, problem, open }: DriverCard
           {problem.text} {problem.remedy}
           {problem.removes !== undefined && (
             <button type="button" class="quiet fix" onClick={() => editor.remove(problem.removes!)}>
-              {problem.removes === index ? 'Remove it' : 'Remove the conflict'}
+              {problem.removes === index ? DRIVERS.removeThis : DRIVERS.removeConflict}
             </button>
           )}
         </p>
@@ -36,7 +37,7 @@ export function DriverCard({ driver, index, context, problem, open }: DriverCard
       <div class="settings">
         {type && <type.Form {...{ driver, index, context }} />}
         <button type="button" class="quiet remove-driver" onClick={() => editor.remove(index)}>
-          Remove this driver
+          {DRIVERS.remove}
         </button>
       </div>
     </details>

@@ -3,7 +3,7 @@ import type { ExpressionDriver, WrinkleDriver } from 'furrow'
 import { useMemo } from 'preact/hooks'
 import { driverProblems } from '../../document/driver-problems.ts'
 import { areaOf, UNSET } from '../../document/drivers.ts'
-import { problemsLabel } from '../../labels/drivers.ts'
+import { DRIVERS, problemsLabel } from '../../labels/drivers.ts'
 import { PLACES } from '../../labels/page.ts'
 import { REGION } from '../../labels/regions.ts'
 import { DriverEditor } from '../../session/driver-editor.ts'
@@ -15,8 +15,6 @@ import { DriverCard } from './driver-card.tsx'
 import { ShownBy } from './shown-by.tsx'
 import { Strongest } from './strongest.tsx'
 import { useThrottled } from './throttled.ts'
-
-/** A blendshape whose weight is at most this counts as not set. */
 
 /** Whether all drivers of a region are shown, not only the strongest. */
 const isAdvancedOpen = signal(false)
@@ -81,11 +79,11 @@ export function Drivers({ model, area }: { model: PanelModel; area: string }) {
         </summary>
         <h3>
           {PLACES.drivers}
-          <output class="part" title="Activation now" aria-live="off">
+          <output class="part" title={DRIVERS.activation} aria-live="off">
             {sum}
           </output>
         </h3>
-        {own.length === 0 && <p class="hint">Only its slider moves this region. Add a driver.</p>}
+        {own.length === 0 && <p class="hint">{DRIVERS.none}</p>}
         {own.map(({ driver, index }) => (
           <DriverCard
             key={`${index} ${driver.type}`}

@@ -2,6 +2,7 @@ import { type ReadonlySignal, useComputed } from '@preact/signals'
 import type { Curve } from 'furrow'
 import type { Contribution } from 'furrow/internal'
 import { useId } from 'preact/hooks'
+import { curveNowLabel } from '../../labels/drivers.ts'
 import { LabelledGroup } from '../controls/labelled-group.tsx'
 import { type Axis, textOn } from './axes.ts'
 import type { DriverContext } from './context.ts'
@@ -167,7 +168,7 @@ function Reading({ contributions, index, axis }: ReadingProps) {
   const text = useComputed(() => {
     const now = contributions.value[index]
     if (!now) return ''
-    return `Now: ${textOn(axis, now.combined)} gives ${now.activation.toFixed(2)}`
+    return curveNowLabel(textOn(axis, now.combined), now.activation)
   })
   return <p class="hint reading">{text}</p>
 }

@@ -2,6 +2,17 @@ import { useComputed, useSignal } from '@preact/signals'
 import type { Curve, Link } from 'furrow'
 import { canonicalTargetName } from 'furrow/internal'
 import type { ComponentChildren } from 'preact'
+import {
+  addLinkLabel,
+  addLinkOption,
+  aloneLabel,
+  curveLabel,
+  DRIVERS,
+  factorLabel,
+  LINKS,
+  linkLabel,
+  removeLinkLabel,
+} from '../../labels/drivers.ts'
 import { axisOf } from './axes.ts'
 import type { DriverContext } from './context.ts'
 import { CurveEditor } from './curve-editor.tsx'
@@ -14,7 +25,7 @@ interface LinkListProps {
   links: readonly Link[]
   /** Names from which the user can choose. */
   names: readonly string[]
-  /** Kind of input to which links refer, such as `blendshape`. */
+  /** Label of the kind of input to which links refer, such as `blendshape`. */
   noun: string
   /** Driver field that contains the links. */
   field: 'targets' | 'areas'
@@ -48,9 +59,9 @@ export function LinkList({ index, context, links, names, noun, field }: LinkList
       ))}
       {free.length > 0 && (
         <NameSelect
-          label={`Add ${noun}`}
+          label={addLinkLabel(noun)}
           value=""
-          options={[['', `Add ${noun}…`], ...optionsOf(free)]}
+          options={[['', addLinkOption(noun)], ...optionsOf(free)]}
           onChange={(name) => {
             if (name === '') return
             set([...links, { name, weight: 1 }])
@@ -97,27 +108,27 @@ function LinkRow({
     <>
       <div class="link">
         <NameSelect
-          label={`${noun} ${position + 1}`}
+          label={linkLabel(noun, position + 1)}
           value={name}
           options={optionsOf(names)}
           onChange={(next) => onChange({ name: next })}
         />
         <NumberField
-          label={`Factor of ${name}`}
+          label={factorLabel(name)}
           isLabelHidden
           value={weight}
           step={0.05}
           range={[-1000, 1000]}
           onChange={(next) => onChange({ weight: next })}
         />
-        <output class="part" title="Current contribution" aria-live="off">
+        <output class="part" title={DRIVERS.contribution} aria-live="off">
           {part}
         </output>
         <button
           type="button"
           class={`toggle ${curve ? 'bent' : ''}`}
-          title="Curve for this input"
-          aria-label={`Curve of ${name}`}
+          title={LINKS.curve}
+          aria-label={curveLabel(name)}
           aria-expanded={isOpen.value}
           onClick={() => {
             isOpen.value = !isOpen.value
@@ -130,8 +141,8 @@ function LinkRow({
         <button
           type="button"
           class="remove"
-          title="Remove"
-          aria-label={`Remove ${name}`}
+          title={LINKS.remove}
+          aria-label={removeLinkLabel(name)}
           disabled={isOnly}
           onClick={onRemove}
         >
@@ -154,7 +165,7 @@ export function LinkCurve({ index, context: { editor, now }, links, field, posit
   const input = useComputed(() => now.value[index]?.inputs[position] ?? null)
   return (
     <CurveEditor
-      label={`${name} alone`}
+      label={aloneLabel(name)}
       curve={curve}
       axis={axisOf('fraction', name, curve)}
       outputs={[-1000, 1000]}

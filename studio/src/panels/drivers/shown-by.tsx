@@ -1,6 +1,6 @@
 import { useMemo } from 'preact/hooks'
+import { shownByLabel, WHEN } from '../../labels/drivers.ts'
 import { expressionLabel } from '../../labels/names.ts'
-import { WHEN } from '../../labels/regions.ts'
 import { PosePicture } from '../controls/pose-picture.tsx'
 import type { PanelModel } from '../model.ts'
 
@@ -25,7 +25,7 @@ export function ShownBy({ area, model }: { area: string; model: PanelModel }) {
     <fieldset class="poses shown-by" aria-label={WHEN.expressions}>
       {shown.map(({ name, activation }) => {
         const label = expressionLabel(name)
-        const text = `${label} shows it to ${Math.round(100 * activation)}%`
+        const text = shownByLabel(label, activation)
         return (
           <button
             key={name}

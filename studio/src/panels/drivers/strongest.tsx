@@ -1,7 +1,7 @@
 import type { Link, WrinkleDriver } from 'furrow'
 import { canonicalTargetName } from 'furrow/internal'
+import { fullLabel, WHEN } from '../../labels/drivers.ts'
 import { blendshapeLabel, expressionLabel, nameLabel, regionLabel } from '../../labels/names.ts'
-import { WHEN } from '../../labels/regions.ts'
 import type { DriverContext } from './context.ts'
 import { DriverCurve } from './fields.tsx'
 import { LinkCurve } from './link-list.tsx'
@@ -49,12 +49,7 @@ function Row({ input: { index, link, names, full }, driver, context }: RowProps)
       <span class="cause">
         {label} {fileName !== '' && <small>{fileName}</small>}
       </span>
-      <meter
-        aria-label={label}
-        title={`Gives ${full.toFixed(2)} when it is full`}
-        max={1}
-        value={Number(full.toFixed(2))}
-      />
+      <meter aria-label={label} title={fullLabel(full)} max={1} value={Number(full.toFixed(2))} />
     </>
   )
   const curve = <Curve {...{ index, link, driver, context }} />

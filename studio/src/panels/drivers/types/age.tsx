@@ -1,4 +1,6 @@
 import { AGES, type AgeDriver } from 'furrow/internal'
+import { AGE } from '../../../labels/driver-forms.ts'
+import { DRIVER_TYPES } from '../../../labels/drivers.ts'
 import { type Axis, axisOf } from '../axes.ts'
 import type { FormProps } from '../context.ts'
 import { DriverCurve } from '../fields.tsx'
@@ -6,7 +8,7 @@ import { InputSlider } from '../input-slider.tsx'
 import type { DriverType } from './driver-type.ts'
 
 export const age: DriverType<AgeDriver> = {
-  label: 'Age',
+  label: DRIVER_TYPES.age,
   axis: inputAxis,
   create: (area) => ({
     type: 'age',
@@ -21,7 +23,7 @@ export const age: DriverType<AgeDriver> = {
 
 /** Returns the input axis of the driver's curve. */
 function inputAxis({ curve }: AgeDriver): Axis {
-  return axisOf('age', 'Age, years', curve)
+  return axisOf('age', AGE.input, curve)
 }
 
 function AgeForm({ driver, index, context }: FormProps<AgeDriver>) {
@@ -30,7 +32,7 @@ function AgeForm({ driver, index, context }: FormProps<AgeDriver>) {
   return (
     <>
       <DriverCurve {...{ index, context, curve, axis }} />
-      <InputSlider name="age" label="Age now" axis={axis} context={context} />
+      <InputSlider name="age" label={AGE.now} axis={axis} context={context} />
     </>
   )
 }

@@ -1,4 +1,6 @@
 import type { BoneDriver } from 'furrow'
+import { BONE } from '../../../labels/driver-forms.ts'
+import { DRIVER_TYPES } from '../../../labels/drivers.ts'
 import { jointsOf } from '../../../viewer/pose/joints.ts'
 import { type Axis, axisOf } from '../axes.ts'
 import type { FormProps } from '../context.ts'
@@ -6,7 +8,7 @@ import { DriverCurve, optionsOf, SelectField, VectorSetting } from '../fields.ts
 import type { DriverType } from './driver-type.ts'
 
 export const bone: DriverType<BoneDriver> = {
-  label: 'Joint',
+  label: DRIVER_TYPES.bone,
   reads: ({ joints }) => joints[1],
   axis: inputAxis,
   create: (area, _document, { joints }) =>
@@ -15,8 +17,8 @@ export const bone: DriverType<BoneDriver> = {
 }
 
 const MEASURES = [
-  ['angle', 'Angle'],
-  ['distance', 'Distance'],
+  ['angle', BONE.angle],
+  ['distance', BONE.distance],
 ] as const
 
 /** Returns the input axis of the driver's curve. */
@@ -36,19 +38,19 @@ function BoneForm({ driver, index, context }: FormProps<BoneDriver>) {
   return (
     <>
       <SelectField
-        label="Joint"
+        label={BONE.joint}
         value={joints[1]}
         options={optionsOf(names)}
         onChange={(joint) => set('joint', { joints: [joints[0], joint] })}
       />
       <SelectField
-        label={measure === 'angle' ? 'Relative to' : 'From'}
+        label={measure === 'angle' ? BONE.relativeTo : BONE.from}
         value={joints[0]}
         options={optionsOf(names)}
         onChange={(from) => set('from', { joints: [from, joints[1]] })}
       />
       <SelectField
-        label="Measure"
+        label={BONE.measure}
         value={measure}
         options={MEASURES}
         // A curve for angles does not suit distances.
@@ -61,18 +63,18 @@ function BoneForm({ driver, index, context }: FormProps<BoneDriver>) {
       />
       {measure === 'angle' && (
         <SelectField
-          label="About"
+          label={BONE.about}
           value={axis ? 'one' : 'any'}
           options={[
-            ['any', 'Any axis'],
-            ['one', 'One axis'],
+            ['any', BONE.anyAxis],
+            ['one', BONE.oneAxis],
           ]}
           onChange={(next) => set('axis', { axis: next === 'one' ? [1, 0, 0] : undefined })}
         />
       )}
       {measure === 'angle' && axis && (
         <VectorSetting
-          label="Axis at rest"
+          label={BONE.axis}
           value={axis}
           step={0.1}
           onChange={(next) => set('axis', { axis: next })}

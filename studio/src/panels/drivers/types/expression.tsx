@@ -1,11 +1,13 @@
 import type { ExpressionDriver } from 'furrow'
+import { EXPRESSION } from '../../../labels/driver-forms.ts'
+import { DRIVER_TYPES } from '../../../labels/drivers.ts'
 import { NumberSlider } from '../../controls/number-slider.tsx'
 import type { FormProps } from '../context.ts'
 import { NameField } from '../fields.tsx'
 import { type DriverType, freeDriverName } from './driver-type.ts'
 
 export const expression: DriverType<ExpressionDriver> = {
-  label: 'Expression',
+  label: DRIVER_TYPES.expression,
   reads: ({ name }) => name,
   create: (area, document, { pose }) => ({
     type: 'expression',
@@ -26,9 +28,9 @@ function ExpressionForm({ driver, index, context }: FormProps<ExpressionDriver>)
   }
   return (
     <>
-      <NameField label="Name" value={name} onChange={(next) => set('name', { name: next })} />
+      <NameField label={EXPRESSION.name} value={name} onChange={(next) => set('name', { name: next })} />
       <NumberSlider
-        label="Shows it by"
+        label={EXPRESSION.activation}
         range={[0, 1, 0.01]}
         value={own?.activation ?? 0}
         onMove={(activation) => {
@@ -38,7 +40,7 @@ function ExpressionForm({ driver, index, context }: FormProps<ExpressionDriver>)
         onRest={() => editor.settle()}
       />
       <p class="hint">
-        {targets.map((each) => `${each.name} ${each.weight}`).join(', ') || 'The face at rest'}
+        {targets.map((each) => `${each.name} ${each.weight}`).join(', ') || EXPRESSION.neutral}
       </p>
       <div class="add">
         <button
@@ -48,7 +50,7 @@ function ExpressionForm({ driver, index, context }: FormProps<ExpressionDriver>)
             set('targets', { targets: shapes })
           }}
         >
-          Take the present pose
+          {EXPRESSION.takePose}
         </button>
       </div>
     </>

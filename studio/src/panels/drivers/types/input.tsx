@@ -1,4 +1,6 @@
 import type { InputDriver } from 'furrow'
+import { INPUT } from '../../../labels/driver-forms.ts'
+import { DRIVER_TYPES } from '../../../labels/drivers.ts'
 import { type Axis, axisOf } from '../axes.ts'
 import type { FormProps } from '../context.ts'
 import { DriverCurve, NameField } from '../fields.tsx'
@@ -6,7 +8,7 @@ import { InputSlider } from '../input-slider.tsx'
 import { type DriverType, freeDriverName } from './driver-type.ts'
 
 export const input: DriverType<InputDriver> = {
-  label: 'Number',
+  label: DRIVER_TYPES.input,
   reads: ({ name }) => name,
   axis: inputAxis,
   create: (area, document) => ({
@@ -32,16 +34,16 @@ function InputForm({ driver, index, context }: FormProps<InputDriver>) {
   return (
     <>
       <NameField
-        label="Name"
+        label={INPUT.name}
         value={name}
         onChange={(next) => {
           context.editor.set(index, 'name', { name: next })
           context.editor.settle()
         }}
       />
-      <p class="hint">The application sets this number while it runs.</p>
+      <p class="hint">{INPUT.hint}</p>
       <DriverCurve {...{ index, context, curve, axis }} />
-      <InputSlider name={name} label="Try" axis={axis} context={context} />
+      <InputSlider name={name} label={INPUT.try} axis={axis} context={context} />
     </>
   )
 }

@@ -1,4 +1,6 @@
 import type { MorphDriver } from 'furrow'
+import { RULES } from '../../../labels/driver-forms.ts'
+import { DRIVER_TYPES, LINKS } from '../../../labels/drivers.ts'
 import { type Axis, axisOf } from '../axes.ts'
 import type { FormProps } from '../context.ts'
 import { DriverCurve } from '../fields.tsx'
@@ -7,7 +9,7 @@ import { type DriverType, namesOf } from './driver-type.ts'
 import { RuleField } from './rule-field.tsx'
 
 export const morph: DriverType<MorphDriver> = {
-  label: 'Blendshapes',
+  label: DRIVER_TYPES.morph,
   reads: ({ targets }) => namesOf(targets),
   axis: inputAxis,
   create: (area, _document, { pose, targets }) => {
@@ -20,7 +22,7 @@ export const morph: DriverType<MorphDriver> = {
 
 /** Returns the input axis of the driver's curve. */
 function inputAxis({ targets, curve }: MorphDriver): Axis {
-  return axisOf('fraction', targets.length === 1 ? targets[0].name : 'Together', curve)
+  return axisOf('fraction', targets.length === 1 ? targets[0].name : RULES.together, curve)
 }
 
 function MorphForm({ driver, index, context }: FormProps<MorphDriver>) {
@@ -31,7 +33,7 @@ function MorphForm({ driver, index, context }: FormProps<MorphDriver>) {
         {...{ index, context }}
         links={targets}
         names={context.targets}
-        noun="blendshape"
+        noun={LINKS.blendshape}
         field="targets"
       />
       {targets.length > 1 && <RuleField {...{ rule, index, context }} />}

@@ -1,11 +1,13 @@
 import type { MuscleDriver } from 'furrow'
+import { MUSCLE } from '../../../labels/driver-forms.ts'
+import { DRIVER_TYPES } from '../../../labels/drivers.ts'
 import { NumberSlider } from '../../controls/number-slider.tsx'
 import type { FormProps } from '../context.ts'
 import { NameField, NumberSetting, SelectField, VectorSetting } from '../fields.tsx'
 import { type DriverType, freeDriverName } from './driver-type.ts'
 
 export const muscle: DriverType<MuscleDriver> = {
-  label: 'Muscle',
+  label: DRIVER_TYPES.muscle,
   reads: ({ name }) => name,
   create: (area, document, face) => {
     const axis = face.muscle()
@@ -15,9 +17,9 @@ export const muscle: DriverType<MuscleDriver> = {
 }
 
 const KINDS: readonly (readonly [MuscleDriver['kind'], string])[] = [
-  ['linear', 'Fan'],
-  ['sheet', 'Sheet'],
-  ['sphincter', 'Ring'],
+  ['linear', MUSCLE.linear],
+  ['sheet', MUSCLE.sheet],
+  ['sphincter', MUSCLE.sphincter],
 ]
 
 const DEGREES = 180 / Math.PI
@@ -42,20 +44,20 @@ function MuscleForm({ driver, index, context }: FormProps<MuscleDriver>) {
   )
   return (
     <>
-      <NameField label="Name" value={driver.name} onChange={(name) => set({ name })} />
-      <p class="hint">Pulls the skin, and shows the area as it contracts. It is one of the blendshapes.</p>
+      <NameField label={MUSCLE.name} value={driver.name} onChange={(name) => set({ name })} />
+      <p class="hint">{MUSCLE.hint}</p>
       <SelectField
-        label="Fibres"
+        label={MUSCLE.fibres}
         value={kind}
         options={KINDS}
         onChange={(next) => set({ kind: next as MuscleDriver['kind'] })}
       />
-      {slider('Strength', 'strength', [-1, 1])}
-      {slider('Peak at', 'inner', [0, Math.min(2, outer - 0.01)])}
-      {slider('Ends at', 'outer', [inner + 0.01, Math.max(2, outer)])}
+      {slider(MUSCLE.strength, 'strength', [-1, 1])}
+      {slider(MUSCLE.inner, 'inner', [0, Math.min(2, outer - 0.01)])}
+      {slider(MUSCLE.outer, 'outer', [inner + 0.01, Math.max(2, outer)])}
       {kind === 'linear' ? (
         <NumberSetting
-          label="Opens by"
+          label={MUSCLE.angle}
           value={angle * DEGREES}
           step={1}
           range={[1, 89]}
@@ -64,7 +66,7 @@ function MuscleForm({ driver, index, context }: FormProps<MuscleDriver>) {
         />
       ) : (
         <NumberSetting
-          label="Half its width"
+          label={MUSCLE.width}
           value={width * 1000}
           step={1}
           range={[0.1, 1000]}
@@ -73,7 +75,7 @@ function MuscleForm({ driver, index, context }: FormProps<MuscleDriver>) {
         />
       )}
       <VectorSetting
-        label={kind === 'sphincter' ? 'Centre' : 'Bone'}
+        label={kind === 'sphincter' ? MUSCLE.centre : MUSCLE.bone}
         value={origin}
         step={1}
         factor={1000}
@@ -81,7 +83,7 @@ function MuscleForm({ driver, index, context }: FormProps<MuscleDriver>) {
         onChange={(next) => set({ origin: next })}
       />
       <VectorSetting
-        label={kind === 'sphincter' ? 'Edge' : 'Skin'}
+        label={kind === 'sphincter' ? MUSCLE.edge : MUSCLE.skin}
         value={insertion}
         step={1}
         factor={1000}

@@ -1,12 +1,13 @@
 import type { Rule } from 'furrow'
+import { RULES } from '../../../labels/driver-forms.ts'
 import type { FormProps } from '../context.ts'
 import { SelectField } from '../fields.tsx'
 
-const RULES: readonly (readonly [Rule, string])[] = [
-  ['sum', 'Added'],
-  ['max', 'The largest'],
-  ['min', 'The smallest: all are needed'],
-  ['product', 'Multiplied'],
+const OPTIONS: readonly (readonly [Rule, string])[] = [
+  ['sum', RULES.sum],
+  ['max', RULES.max],
+  ['min', RULES.min],
+  ['product', RULES.product],
 ]
 
 interface RuleFieldProps extends Omit<FormProps<never>, 'driver'> {
@@ -17,9 +18,9 @@ interface RuleFieldProps extends Omit<FormProps<never>, 'driver'> {
 export function RuleField({ rule, index, context: { editor } }: RuleFieldProps) {
   return (
     <SelectField
-      label="Together"
+      label={RULES.together}
       value={rule}
-      options={RULES}
+      options={OPTIONS}
       onChange={(next) => {
         editor.set(index, 'rule', { rule: next })
         editor.settle()

@@ -1,4 +1,6 @@
 import type { TensionDriver } from 'furrow'
+import { TENSION } from '../../../labels/driver-forms.ts'
+import { DRIVER_TYPES } from '../../../labels/drivers.ts'
 import { NumberSlider } from '../../controls/number-slider.tsx'
 import { type Axis, axisOf } from '../axes.ts'
 import type { FormProps } from '../context.ts'
@@ -6,7 +8,7 @@ import { DriverCurve, SelectField } from '../fields.tsx'
 import type { DriverType } from './driver-type.ts'
 
 export const tension: DriverType<TensionDriver> = {
-  label: 'Skin tension',
+  label: DRIVER_TYPES.tension,
   axis: inputAxis,
   create: (area) => ({
     type: 'tension',
@@ -23,7 +25,7 @@ export const tension: DriverType<TensionDriver> = {
 
 /** Returns the input axis of the driver's curve. */
 function inputAxis({ measure, curve }: TensionDriver): Axis {
-  return axisOf('tension', measure === 'compression' ? 'Shortened by' : 'Lengthened by', curve)
+  return axisOf('tension', measure === 'compression' ? TENSION.shortened : TENSION.lengthened, curve)
 }
 
 function TensionForm({ driver, index, context }: FormProps<TensionDriver>) {
@@ -33,11 +35,11 @@ function TensionForm({ driver, index, context }: FormProps<TensionDriver>) {
   return (
     <>
       <SelectField
-        label="Skin is"
+        label={TENSION.measure}
         value={measure}
         options={[
-          ['compression', 'Pushed together'],
-          ['stretch', 'Stretched'],
+          ['compression', TENSION.compression],
+          ['stretch', TENSION.stretch],
         ]}
         onChange={(next) => {
           context.editor.set(index, 'measure', { measure: next })
@@ -45,11 +47,11 @@ function TensionForm({ driver, index, context }: FormProps<TensionDriver>) {
         }}
       />
       <SelectField
-        label="Along"
+        label={TENSION.along}
         value={direction ? 'one' : 'any'}
         options={[
-          ['any', 'Any direction'],
-          ['one', 'One direction of the texture'],
+          ['any', TENSION.anyDirection],
+          ['one', TENSION.oneDirection],
         ]}
         onChange={(next) => {
           turn(next === 'one' ? 0 : null)
@@ -58,7 +60,7 @@ function TensionForm({ driver, index, context }: FormProps<TensionDriver>) {
       />
       {direction && (
         <NumberSlider
-          label="Angle"
+          label={TENSION.angle}
           range={[0, 180, 5]}
           value={angleOf(direction)}
           text={`${Math.round(angleOf(direction))}°`}

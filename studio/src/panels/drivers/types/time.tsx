@@ -1,10 +1,12 @@
 import type { TimeDriver } from 'furrow'
+import { DELAY } from '../../../labels/driver-forms.ts'
+import { DRIVER_TYPES } from '../../../labels/drivers.ts'
 import { NumberSlider } from '../../controls/number-slider.tsx'
 import type { FormProps } from '../context.ts'
 import type { DriverType } from './driver-type.ts'
 
 export const time: DriverType<TimeDriver> = {
-  label: 'Delay',
+  label: DRIVER_TYPES.time,
   create: (area) => ({ type: 'time', area, attack: 0.1, release: 0.4 }),
   Form: TimeForm,
 }
@@ -21,12 +23,9 @@ function TimeForm({ driver, index, context: { editor } }: FormProps<TimeDriver>)
   )
   return (
     <>
-      {slider('Rises in, s', 'attack')}
-      {slider('Falls in, s', 'release')}
-      <p class="hint">
-        Skin creases quickly and relaxes slowly. Here the area follows at once; the delay plays in the
-        exported file.
-      </p>
+      {slider(DELAY.attack, 'attack')}
+      {slider(DELAY.release, 'release')}
+      <p class="hint">{DELAY.hint}</p>
     </>
   )
 }
