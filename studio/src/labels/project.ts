@@ -2,7 +2,6 @@ export const FILE = {
   project: 'Project',
   open: 'Open…',
   openFolder: 'Open folder…',
-  openCapture: 'Open a recording…',
   face: 'Example face',
   recent: 'Recent work',
   edit: 'Edit wrinkles',

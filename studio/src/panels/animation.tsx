@@ -1,5 +1,5 @@
+import { ANIMATION, clipLabel, speedLabel } from '../labels/animation.ts'
 import { PLACES } from '../labels/page.ts'
-import { FILE } from '../labels/project.ts'
 import type { ClipPlayer } from '../viewer/pose/clip-player.ts'
 import { Check } from './controls/check.tsx'
 import { Choice } from './controls/choice.tsx'
@@ -7,7 +7,7 @@ import { FileButton } from './controls/file-button.tsx'
 import { NumberSlider } from './controls/number-slider.tsx'
 import { Section } from './controls/section.tsx'
 
-const SPEEDS = ['0.25', '0.5', '1', '2'].map((value) => ({ value, label: `${value}×` }))
+const SPEEDS = ['0.25', '0.5', '1', '2'].map((value) => ({ value, label: speedLabel(value) }))
 
 interface AnimationProps {
   player: ClipPlayer
@@ -18,13 +18,9 @@ interface AnimationProps {
 export function Animation({ player, onOpen }: AnimationProps) {
   return (
     <Section title={PLACES.animation}>
-      {player.clips.value.length === 0 ? (
-        <p class="hint">This avatar has no animations. Open or drop a recording of the app Live Link Face.</p>
-      ) : (
-        <Clips player={player} />
-      )}
+      {player.clips.value.length === 0 ? <p class="hint">{ANIMATION.none}</p> : <Clips player={player} />}
       <FileButton accept=".csv" onChoose={onOpen}>
-        {FILE.openCapture}
+        {ANIMATION.openCapture}
       </FileButton>
     </Section>
   )
@@ -35,7 +31,7 @@ function Clips({ player }: { player: ClipPlayer }) {
   return (
     <div class="settings">
       <div class="setting">
-        <label for="clip">Clip</label>
+        <label for="clip">{ANIMATION.clip}</label>
         <select
           id="clip"
           value={clips.value.indexOf(clip.value!)}
@@ -43,7 +39,7 @@ function Clips({ player }: { player: ClipPlayer }) {
         >
           {clips.value.map(({ uuid, name }, i) => (
             <option key={uuid} value={i}>
-              {name || `Clip ${i + 1}`}
+              {name || clipLabel(i + 1)}
             </option>
           ))}
         </select>
@@ -51,20 +47,20 @@ function Clips({ player }: { player: ClipPlayer }) {
       <Time player={player} />
       <div class="work">
         <button type="button" onClick={() => (isPlaying.value ? player.pause() : player.play())}>
-          {isPlaying.value ? 'Pause' : 'Play'}
+          {isPlaying.value ? ANIMATION.pause : ANIMATION.play}
         </button>
         <button
           type="button"
           disabled={!isShown.value}
-          title="Restore the pose that the face had before"
+          title={ANIMATION.stopHint}
           onClick={() => player.stop()}
         >
-          Stop
+          {ANIMATION.stop}
         </button>
-        <Check value={isLooped}>Loop</Check>
+        <Check value={isLooped}>{ANIMATION.loop}</Check>
       </div>
       <Choice
-        label="Speed"
+        label={ANIMATION.speed}
         options={SPEEDS}
         value={`${speed.value}`}
         onChange={(value) => {
@@ -80,7 +76,7 @@ function Time({ player }: { player: ClipPlayer }) {
   const { clip, time } = player
   return (
     <NumberSlider
-      label="Time (s)"
+      label={ANIMATION.time}
       range={[0, clip.value?.duration || 1, 0.01]}
       value={time.value}
       text={time.value.toFixed(1)}

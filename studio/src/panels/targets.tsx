@@ -1,5 +1,6 @@
 import { useSignal } from '@preact/signals'
 import { useMemo } from 'preact/hooks'
+import { foundLabel, TARGETS } from '../labels/blendshapes.ts'
 import { PLACES } from '../labels/page.ts'
 import { type Dial, groupShapes, type ShapeGroup } from '../viewer/pose/dials.ts'
 import { FilterInput } from './controls/filter-input.tsx'
@@ -23,22 +24,22 @@ export function Targets({ model }: { model: PanelModel }) {
   const aside = (
     <>
       <span class="hint" role="status">
-        {query !== '' && `${count} found`}
+        {query !== '' && foundLabel(count)}
       </span>
       <button
         type="button"
         class="quiet"
-        aria-label="Reset all blendshapes"
+        aria-label={TARGETS.resetAll}
         onClick={() => actions.reset(dials ?? [])}
       >
-        Reset
+        {TARGETS.reset}
       </button>
     </>
   )
   return (
     <Section title={PLACES.targets} aside={aside}>
       <div class="filter">
-        <FilterInput label="Filter blendshapes" id="filter" filter={filter} />
+        <FilterInput label={TARGETS.filter} id="filter" filter={filter} />
       </div>
       <div id="targets" class="groups">
         {groups.map((group) => (

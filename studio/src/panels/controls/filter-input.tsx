@@ -1,4 +1,5 @@
 import type { Signal } from '@preact/signals'
+import { TARGETS } from '../../labels/blendshapes.ts'
 
 interface FilterInputProps {
   label: string
@@ -14,7 +15,7 @@ export function FilterInput({ label, id, filter }: FilterInputProps) {
       id={id}
       type="search"
       aria-label={label}
-      placeholder="Filter, e.g. brow"
+      placeholder={TARGETS.example}
       autocomplete="off"
       spellcheck={false}
       value={filter.value}

@@ -1,9 +1,10 @@
 import { isSided, SHAPE_NAMES } from 'furrow/internal'
 import { useState } from 'preact/hooks'
+import { automaticShapeLabel, bothSidesLabel, SHAPES, shapeChoiceLabel } from '../../labels/blendshapes.ts'
 import type { ShapeRow } from '../../session/shape-editor.ts'
 import { groupShapes } from '../../viewer/pose/dials.ts'
 import type { PanelModel } from '../model.ts'
-import { recognisedLabel } from './labels.ts'
+import { recognisedLabel } from './recognised.ts'
 
 /** Values of the options that are not ARKit shapes. */
 const AUTOMATIC = ''
@@ -20,7 +21,7 @@ export function ShapeChoice({ row, model: { shapes } }: { row: ShapeRow; model: 
   const fill = () => setIsFull(true)
   return (
     <select
-      aria-label={`What ${name} is`}
+      aria-label={shapeChoiceLabel(name)}
       value={correction === undefined ? AUTOMATIC : (correction ?? NONE)}
       onPointerDown={fill}
       onFocus={fill}
@@ -29,14 +30,14 @@ export function ShapeChoice({ row, model: { shapes } }: { row: ShapeRow; model: 
         shapes.correct(name, value === AUTOMATIC ? undefined : value === NONE ? null : value)
       }
     >
-      <option value={AUTOMATIC}>{label ? `${label} (automatic)` : 'automatic'}</option>
-      {(isFull || correction === null) && <option value={NONE}>none of these</option>}
+      <option value={AUTOMATIC}>{automaticShapeLabel(label)}</option>
+      {(isFull || correction === null) && <option value={NONE}>{SHAPES.noneOfThese}</option>}
       {isFull
         ? GROUPS.map((group) => (
             <optgroup key={group.name} label={group.name}>
               {group.shapes.map(({ name }) => (
                 <option key={name} value={name}>
-                  {isSided(name) ? `${name}, both sides` : name}
+                  {isSided(name) ? bothSidesLabel(name) : name}
                 </option>
               ))}
             </optgroup>

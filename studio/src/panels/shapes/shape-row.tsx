@@ -1,8 +1,9 @@
 import { useComputed } from '@preact/signals'
 import { useRef } from 'preact/hooks'
+import { SHAPES, showShapeLabel } from '../../labels/blendshapes.ts'
 import type { ShapeRow as Row } from '../../session/shape-editor.ts'
 import type { PanelModel } from '../model.ts'
-import { confidenceOf, evidenceLabel, isUnknown } from './labels.ts'
+import { confidenceOf, evidenceLabel, isUnknown } from './recognised.ts'
 import { ShapeChoice } from './shape-choice.tsx'
 
 interface ShapeRowProps {
@@ -45,7 +46,7 @@ export function ShapeRow({ row, isHidden, model }: ShapeRowProps) {
         // Tab skips this button, because focusing the select in this row also shows the blendshape.
         tabIndex={-1}
         aria-pressed={isShown}
-        title={`Show ${name} on the face`}
+        title={showShapeLabel(name)}
         onPointerDown={({ pointerType }) => {
           wasShown.current = pointerType !== 'mouse' && isShown.peek()
         }}
@@ -54,7 +55,7 @@ export function ShapeRow({ row, isHidden, model }: ShapeRowProps) {
         {name}
       </button>
       {confidence === undefined ? (
-        <span class="evidence">{isUnknown(row) ? 'unknown' : evidenceLabel(row)}</span>
+        <span class="evidence">{isUnknown(row) ? SHAPES.unknown : evidenceLabel(row)}</span>
       ) : (
         <span class="evidence">
           <span class="confidence" style={{ '--value': confidence }} />

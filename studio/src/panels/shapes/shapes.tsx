@@ -1,13 +1,14 @@
 import { useSignal } from '@preact/signals'
 import { useEffect, useId } from 'preact/hooks'
 import { hasOutdatedWrinkles } from '../../document/shapes.ts'
+import { SHAPES, shapeCountsLabel } from '../../labels/blendshapes.ts'
 import { PLACES } from '../../labels/page.ts'
 import type { ShapeRow as Row } from '../../session/shape-editor.ts'
 import { Check } from '../controls/check.tsx'
 import { FilterInput } from '../controls/filter-input.tsx'
 import { Section } from '../controls/section.tsx'
 import type { PanelModel } from '../model.ts'
-import { isUnknown, shapeLabel } from './labels.ts'
+import { isUnknown, shapeLabel } from './recognised.ts'
 import { ShapeRow } from './shape-row.tsx'
 
 /** Time from the last correction until blendshapes are recognised again, milliseconds. */
@@ -33,10 +34,7 @@ export function Shapes({ model }: { model: PanelModel }) {
         isOpen.value = isOpenNow
       }}
     >
-      <p class="hint">
-        Point at a blendshape, or tap its name, to see it on the face. Correct what it was taken for where
-        that is wrong.
-      </p>
+      <p class="hint">{SHAPES.hint}</p>
       <Outdated model={model} />
       {isOpen.value && !rows && <Progress model={model} />}
       {isOpen.value && rows && <ShapeList rows={rows} model={model} />}
@@ -50,12 +48,12 @@ function Progress({ model: { shapes, actions } }: { model: PanelModel }) {
   if (!shapes.isRunning.value)
     return (
       <button type="button" onClick={() => actions.attempt(() => shapes.recognise())}>
-        Recognise shapes
+        {SHAPES.recognise}
       </button>
     )
   return (
     <div class="run">
-      <label for={id}>Recognising shapes</label>
+      <label for={id}>{SHAPES.recognising}</label>
       <progress id={id} />
     </div>
   )
@@ -70,17 +68,13 @@ function Outdated({ model }: { model: PanelModel }) {
     <div role="status">
       {isOutdated && (
         <div class="outdated">
-          <p>The wrinkles were made before the last corrections.</p>
+          <p>{SHAPES.outdated}</p>
           <button type="button" onClick={() => actions.makeAuto(auto.peek())}>
-            Make them again
+            {SHAPES.makeAgain}
           </button>
         </div>
       )}
-      {document?.shapes && !document.auto && (
-        <p class="hint">
-          The corrections are kept with the face. Wrinkles that came with it stay as they are.
-        </p>
-      )}
+      {document?.shapes && !document.auto && <p class="hint">{SHAPES.kept}</p>}
     </div>
   )
 }
@@ -98,19 +92,16 @@ function ShapeList({ rows, model }: { rows: readonly Row[]; model: PanelModel })
       `${row.name} ${shapeLabel(row)}`.toLowerCase().includes(query))
   const count = rows.filter(matches).length
   const unknown = rows.filter(isUnknown).length
-  const counts = count < rows.length ? `${count} of ${rows.length}` : `${rows.length}`
   return (
     <>
       <div class="shape-filter">
-        <FilterInput label="Filter shapes" filter={filter} />
-        <Check value={isUnknownOnly}>Unknown only</Check>
+        <FilterInput label={SHAPES.filter} filter={filter} />
+        <Check value={isUnknownOnly}>{SHAPES.unknownOnly}</Check>
       </div>
       <p class="hint" role="status">
-        {shapes.isRunning.value
-          ? 'Recognising the others again'
-          : `${counts} blendshapes, ${unknown} unknown`}
+        {shapes.isRunning.value ? SHAPES.recognisingOthers : shapeCountsLabel(count, rows.length, unknown)}
       </p>
-      <ul class="shapes" aria-label="Shapes">
+      <ul class="shapes" aria-label={PLACES.shapes}>
         {rows.map((row, i) => (
           <ShapeRow key={i} row={row} isHidden={!matches(row)} model={model} />
         ))}

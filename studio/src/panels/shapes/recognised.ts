@@ -1,25 +1,6 @@
 import type { RecognisedShape } from 'furrow/internal'
+import { EVIDENCE, SHAPE_KINDS, SHAPES } from '../../labels/blendshapes.ts'
 import type { ShapeRow } from '../../session/shape-editor.ts'
-
-/** Labels of blendshapes that are not ARKit shapes, by their kind. */
-const KINDS: Readonly<Record<string, string>> = {
-  viseme: 'speech',
-  emotion: 'whole expression',
-  corrective: 'correction of other shapes',
-  body: 'proportion of the character',
-  hidden: 'hides geometry',
-  other: 'other',
-}
-
-const EVIDENCE: Readonly<Record<RecognisedShape['by'], string>> = {
-  geometry: 'motion',
-  name: 'name',
-  both: 'both',
-  correction: 'corrected',
-  none: '',
-}
-
-const UNKNOWN = 'unknown'
 
 /** Returns the label of a recognised blendshape: its ARKit name or its kind. Empty if it was not recognised yet. */
 export function recognisedLabel(recognised: RecognisedShape | undefined): string {
@@ -27,13 +8,13 @@ export function recognisedLabel(recognised: RecognisedShape | undefined): string
   const { shape, hint, by } = recognised
   if (by === 'correction') return ''
   if (shape !== undefined) return shape
-  if (hint && hint.kind !== 'expression') return KINDS[hint.kind]
-  return hint?.shapes.join(' + ') || UNKNOWN
+  if (hint && hint.kind !== 'expression') return SHAPE_KINDS[hint.kind]
+  return hint?.shapes.join(' + ') || SHAPES.unknown
 }
 
 /** Returns the label by which a blendshape can be searched: its correction, or the recognised label. */
 export function shapeLabel({ recognised, correction }: ShapeRow): string {
-  return correction === undefined ? recognisedLabel(recognised) : (correction ?? 'none')
+  return correction === undefined ? recognisedLabel(recognised) : (correction ?? SHAPES.none)
 }
 
 /** Returns the reason for a blendshape's label: its motion, its name, both, or a correction. */
@@ -49,5 +30,5 @@ export function confidenceOf({ recognised, correction }: ShapeRow): number | und
 }
 
 export function isUnknown({ recognised, correction }: ShapeRow): boolean {
-  return correction === undefined && recognisedLabel(recognised) === UNKNOWN
+  return correction === undefined && recognisedLabel(recognised) === SHAPES.unknown
 }
