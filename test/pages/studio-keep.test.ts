@@ -268,13 +268,13 @@ test('a tab says that another tab has its project open, and can keep a copy or t
   const second = await openStudio(address)
   const openThere = async () => {
     await openRecent(second, /^plain/)
-    await second.getByText('Open in another tab, which alone keeps it').waitFor()
+    await second.getByText('Open in another tab').waitFor()
   }
   await openThere()
   await button('Go on here', second).click()
   await second.getByText('Kept in this browser').waitFor()
   await expect.poll(() => areas(second), { timeout: 60_000 }).toEqual(await areas())
-  await page.getByText('Open in another tab, which alone keeps it').waitFor()
+  await page.getByText('Open in another tab').waitFor()
   // The first tab saves its changes as a copy.
   await button('New region').click()
   expect(await button('Go on here').count()).toBe(0)

@@ -9,3 +9,8 @@ export const AUTOMATIC = {
   savePreset: 'Save preset…',
   applyPreset: 'Apply preset…',
 } as const
+
+/** Returns the label of the progress: `Making wrinkles: strain`. */
+export function makingLabel(step: string): string {
+  return `Making wrinkles: ${step}`
+}

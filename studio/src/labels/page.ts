@@ -1,3 +1,11 @@
+/** Page as a whole. */
+export const PAGE = {
+  title: 'Furrow studio',
+  mode: 'Mode',
+  tools: 'Tools',
+  cancel: 'Cancel',
+} as const
+
 export const MODES = {
   look: 'Look',
   lines: 'Lines',
@@ -42,3 +50,31 @@ export const PREFERENCES = {
   page: 'Theme',
   statistics: 'Statistics',
 } as const
+
+/** List of the avatar's meshes. */
+export const MESHES = {
+  show: 'Show',
+  hide: 'Hide',
+  skin: 'Skin',
+  unnamed: 'mesh',
+} as const
+
+/** Hints at the right while nothing can be edited. */
+export const INSPECTOR = {
+  making: 'The wrinkles are being made.',
+  noWrinkles: 'This avatar has no wrinkles.',
+  fromFile: 'These wrinkles came with the file.',
+  fromFileEditable: 'These wrinkles came with the file. Select a region or a line to change it.',
+  noBlendshapes: 'This avatar has no blendshapes. Select a region to let joints or values show it.',
+  lineShows: 'A line shows when its region does.',
+} as const
+
+/** Returns the name of the button that shows or hides a mesh, for screen readers. */
+export function showMeshLabel(mesh: string): string {
+  return `Show ${mesh}`
+}
+
+/** Returns the tooltip of a button for undo or redo: `Undo: Depth`. @param step step that the button reverts or repeats. */
+export function historyLabel(command: string, step: string | undefined): string {
+  return step ? `${command}: ${step}` : command
+}

@@ -12,6 +12,26 @@ export const VIEW = {
   influence: 'Regions',
   onset: 'Onset',
   wireframe: 'Wires',
+  onsetOf: 'Onset of',
+  region: 'Region',
+  allRegions: 'All regions, as activated',
+} as const
+
+/** Explanations of what the stage can show. */
+export const VIEW_HINTS = {
+  shaded: 'The skin as in the file',
+  clay: 'The shape alone',
+  strain: 'How the current pose compresses and stretches the skin',
+  normals: 'Directions of the surface',
+  influence: 'Regions times their activations',
+  onset: 'Activation at which the skin begins to wrinkle',
+  wireframe: 'Edges of the triangles',
+  strainColours: 'Orange is compressed, blue is stretched: full colours from 30% on.',
+  onsetColours:
+    'Orange begins to wrinkle early, blue late: full blue from activation 0.5 on. Dark has no delay.',
+  noOnset: 'No layer has an onset map, so all lines begin at once.',
+  light: 'Drag the light; Home or a double click resets it',
+  still: 'Off, as the system asks for less motion',
 } as const
 
 /** Hints after the first avatar has opened. */
@@ -37,4 +57,10 @@ export const CARD = {
 /** Returns the label of the choice that shows a wrinkle with an expression: `With Surprised`. */
 export function inExpression(name: string | null): string {
   return name === null ? CARD.inPose : `With ${expressionLabel(name)}`
+}
+
+/** Returns the direction of the light: `30° from the left, 20° from above`. @param yaw, pitch degrees; positive is right and up. */
+export function lightLabel(yaw: number, pitch: number): string {
+  const across = `${Math.abs(yaw)}° from the ${yaw < 0 ? 'left' : 'right'}`
+  return `${across}, ${Math.abs(pitch)}° from ${pitch < 0 ? 'below' : 'above'}`
 }

@@ -1,4 +1,6 @@
 import { useId } from 'preact/hooks'
+import { makingLabel } from '../labels/automatic.ts'
+import { PAGE } from '../labels/page.ts'
 import type { PanelModel } from './model.ts'
 
 export function AutoProgress({ model: { autoRun, actions } }: { model: PanelModel }) {
@@ -7,10 +9,10 @@ export function AutoProgress({ model: { autoRun, actions } }: { model: PanelMode
   if (!run) return null
   return (
     <div class="run">
-      <label for={id}>Making wrinkles: {run.step}</label>
+      <label for={id}>{makingLabel(run.step)}</label>
       <progress id={id} max="1" value={run.fraction} />
       <button type="button" class="quiet" onClick={actions.cancelAuto}>
-        Cancel
+        {PAGE.cancel}
       </button>
     </div>
   )

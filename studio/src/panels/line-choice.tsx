@@ -1,6 +1,6 @@
 import { useId } from 'preact/hooks'
 import type { LayerStroke } from '../document/document.ts'
-import { LINE } from '../labels/lines.ts'
+import { LINE, linePointHint, linePointLabel } from '../labels/lines.ts'
 import { regionLabel } from '../labels/names.ts'
 import type { LineEditor } from '../lines/line-editor.ts'
 import { type ShortcutName, shortcutOf } from '../shortcuts.ts'
@@ -24,7 +24,7 @@ export function LineChoice({ editor, strokes }: { editor: LineEditor; strokes: r
           editor.choose(value === '' ? null : strokes[Number(value)])
         }
       >
-        <option value="">None</option>
+        <option value="">{LINE.none}</option>
         {namesOf(strokes).map((name, i) => (
           <option key={i} value={i}>
             {name}
@@ -37,7 +37,7 @@ export function LineChoice({ editor, strokes }: { editor: LineEditor; strokes: r
 
 /** Returns a name for each line: its region, with a number if the region has several lines. */
 function namesOf(strokes: readonly LayerStroke[]): string[] {
-  const groups = strokes.map(({ group }) => group ?? 'Without a region')
+  const groups = strokes.map(({ group }) => group ?? LINE.noGroup)
   const labels = new Map(groups.map((group) => [group, regionLabel(group)]))
   const counts = new Map<string, number>()
   const numbers = groups.map((group) => {
@@ -80,8 +80,8 @@ export function LinePoints({ editor, actions }: { editor: LineEditor; actions: P
             type="button"
             class={fork ? 'fork' : ''}
             aria-pressed={i === point}
-            aria-label={`Point ${i + 1} of ${count}${fork ? ', a fork' : ''}`}
-            title={`Arrow keys move it${fork ? ' with all lines that meet there' : ''}${knot < 0 ? '' : ', Delete removes it'}`}
+            aria-label={linePointLabel(i + 1, count, Boolean(fork))}
+            title={linePointHint({ isFork: Boolean(fork), isRemovable: knot >= 0 })}
             onFocus={() => {
               editor.point.value = i
             }}

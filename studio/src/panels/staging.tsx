@@ -1,4 +1,4 @@
-import { VIEW } from '../labels/stage.ts'
+import { lightLabel, VIEW, VIEW_HINTS } from '../labels/stage.ts'
 import { reducedMotion } from '../motion.ts'
 import { Icon } from '../ui/icon.tsx'
 import { ballPoint, clampedLight, lightOnBall } from '../viewer/light-direction.ts'
@@ -18,7 +18,7 @@ export function StagingControls({ staging }: { staging: Staging }) {
         aria-label={VIEW.turntable}
         aria-pressed={staging.turntable.value}
         disabled={reducedMotion.matches}
-        title={reducedMotion.matches ? 'Off, as the system asks for less motion' : VIEW.turntable}
+        title={reducedMotion.matches ? VIEW_HINTS.still : VIEW.turntable}
         onClick={() => {
           staging.turntable.value = !staging.turntable.peek()
         }}
@@ -55,12 +55,12 @@ function LightBall({ staging: { light } }: { staging: Staging }) {
       class="ball"
       role="slider"
       tabIndex={0}
-      title="Drag the light; Home or a double click resets it"
+      title={VIEW_HINTS.light}
       aria-label={VIEW.light}
       aria-valuemin={-90}
       aria-valuemax={90}
       aria-valuenow={yaw}
-      aria-valuetext={`${Math.abs(yaw)}° from the ${yaw < 0 ? 'left' : 'right'}, ${Math.abs(pitch)}° from ${pitch < 0 ? 'below' : 'above'}`}
+      aria-valuetext={lightLabel(yaw, pitch)}
       style={{ '--x': `${50 + 50 * x}%`, '--y': `${50 - 50 * y}%` }}
       onPointerDown={(event) => {
         event.currentTarget.setPointerCapture(event.pointerId)

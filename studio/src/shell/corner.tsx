@@ -1,4 +1,4 @@
-import { VIEW } from '../labels/stage.ts'
+import { VIEW, VIEW_HINTS } from '../labels/stage.ts'
 import { Choice } from '../panels/controls/choice.tsx'
 import type { PanelModel } from '../panels/model.ts'
 import { StagingControls } from '../panels/staging.tsx'
@@ -14,19 +14,17 @@ interface LookOption {
 
 /** Looks that are always in reach. */
 const MAIN: readonly LookOption[] = [
-  { value: 'shaded', label: VIEW.shaded, title: 'The skin as in the file' },
-  { value: 'clay', label: VIEW.clay, title: 'The shape alone' },
-  { value: 'strain', label: VIEW.strain, title: 'How the current pose compresses and stretches the skin' },
+  { value: 'shaded', label: VIEW.shaded, title: VIEW_HINTS.shaded },
+  { value: 'clay', label: VIEW.clay, title: VIEW_HINTS.clay },
+  { value: 'strain', label: VIEW.strain, title: VIEW_HINTS.strain },
 ]
 
 const OTHERS: readonly LookOption[] = [
-  { value: 'normals', label: VIEW.normals, title: 'Directions of the surface' },
-  { value: 'influence', label: VIEW.influence, title: 'Regions times their activations' },
-  { value: 'onset', label: VIEW.onset, title: 'Activation at which the skin begins to wrinkle' },
-  { value: 'wireframe', label: VIEW.wireframe, title: 'Edges of the triangles' },
+  { value: 'normals', label: VIEW.normals, title: VIEW_HINTS.normals },
+  { value: 'influence', label: VIEW.influence, title: VIEW_HINTS.influence },
+  { value: 'onset', label: VIEW.onset, title: VIEW_HINTS.onset },
+  { value: 'wireframe', label: VIEW.wireframe, title: VIEW_HINTS.wireframe },
 ]
-
-const ALL = 'All regions, as activated'
 
 /** Controls in the corner of the stage: what it shows, the light and the turntable. */
 export function Corner({ model }: { model: PanelModel }) {
@@ -36,9 +34,7 @@ export function Corner({ model }: { model: PanelModel }) {
   const choose = (name: LookName) => actions.setLook({ name })
   return (
     <>
-      {look.name === 'strain' && (
-        <p class="hint">Orange is compressed, blue is stretched: full colours from 30% on.</p>
-      )}
+      {look.name === 'strain' && <p class="hint">{VIEW_HINTS.strainColours}</p>}
       <div class="corner-row">
         <Choice label={VIEW.show} options={MAIN} value={look.name} onChange={choose} />
         <Popover label={VIEW.more} class="plain" placement="top-end" button={<Icon name="more" />}>
@@ -63,11 +59,11 @@ function OnsetChoice({
   shown: string | undefined
 }) {
   const names = [...(viewer.value?.onsets.keys() ?? [])]
-  if (names.length === 0) return <p class="hint">No layer has an onset map, so all lines begin at once.</p>
+  if (names.length === 0) return <p class="hint">{VIEW_HINTS.noOnset}</p>
   return (
     <>
       <div class="setting">
-        <label for="onset-layer">Onset of</label>
+        <label for="onset-layer">{VIEW.onsetOf}</label>
         <select
           id="onset-layer"
           value={shown ?? names[0]}
@@ -80,9 +76,7 @@ function OnsetChoice({
           ))}
         </select>
       </div>
-      <p class="hint">
-        Orange begins to wrinkle early, blue late: full blue from activation 0.5 on. Dark has no delay.
-      </p>
+      <p class="hint">{VIEW_HINTS.onsetColours}</p>
     </>
   )
 }
@@ -90,7 +84,7 @@ function OnsetChoice({
 function AreaChoice({ model: { viewer, actions }, shown }: { model: PanelModel; shown: string }) {
   return (
     <div class="setting">
-      <label for="area">Region</label>
+      <label for="area">{VIEW.region}</label>
       <select
         id="area"
         value={shown}
@@ -98,7 +92,7 @@ function AreaChoice({ model: { viewer, actions }, shown }: { model: PanelModel; 
           actions.setLook({ name: 'influence', ...(value && { area: value }) })
         }}
       >
-        <option value="">{ALL}</option>
+        <option value="">{VIEW.allRegions}</option>
         {viewer.value?.areas.map(({ name }) => (
           <option key={name} value={name}>
             {name}

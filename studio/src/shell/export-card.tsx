@@ -1,7 +1,8 @@
 import { useSignal } from '@preact/signals'
 import { WRINKLE_MAPS } from 'furrow/internal'
 import { useId } from 'preact/hooks'
-import { FILE } from '../labels/project.ts'
+import { PAGE } from '../labels/page.ts'
+import { EXPORT, exportedLabel, otherErrorsLabel } from '../labels/project.ts'
 import { Check } from '../panels/controls/check.tsx'
 import type { PanelModel } from '../panels/model.ts'
 import type { ExportState } from '../session/exporting.ts'
@@ -21,15 +22,13 @@ export function ExportCard({ model }: { model: PanelModel }) {
   return (
     <div class="export">
       <button type="button" class="main" onClick={() => actions.exportFace({ ktx2: isCompressed.value })}>
-        {FILE.export}
+        {EXPORT.export}
       </button>
-      <Popover label={FILE.exported} class="main" placement="bottom-end" button={<Icon name="down" />}>
-        <Check value={isCompressed} title="Maps stay compressed on the GPU">
-          {FILE.ktx2}
+      <Popover label={EXPORT.exported} class="main" placement="bottom-end" button={<Icon name="down" />}>
+        <Check value={isCompressed} title={EXPORT.ktx2Hint}>
+          {EXPORT.ktx2}
         </Check>
-        {!state && (
-          <p class="hint">Export saves the avatar with its wrinkles, and this card then shows its size.</p>
-        )}
+        {!state && <p class="hint">{EXPORT.hint}</p>}
         {state?.kind === 'done' && <Done state={state} onCopy={actions.copyCode} />}
       </Popover>
       {state?.kind === 'running' && <Running fraction={state.fraction} onCancel={actions.cancelExport} />}
@@ -41,10 +40,10 @@ function Running({ fraction, onCancel }: { fraction: number; onCancel(): void })
   const id = useId()
   return (
     <div class="run">
-      <label for={id}>Packing and checking</label>
+      <label for={id}>{EXPORT.running}</label>
       <progress id={id} max="1" value={fraction} />
       <button type="button" class="quiet" onClick={onCancel}>
-        Cancel
+        {PAGE.cancel}
       </button>
     </div>
   )
@@ -63,14 +62,12 @@ function Done({ state, onCopy }: DoneProps) {
   const notes = [
     ...warnings,
     ...own.map(({ message }) => message),
-    ...(rest > 0 ? [`The rest of the file has ${rest} errors, which it had before`] : []),
+    ...(rest > 0 ? [otherErrorsLabel(rest)] : []),
   ]
   return (
     <>
       <p class="hint" role="status">
-        {state.name}: {megabytes(bytes.length)} in all; the wrinkles take {megabytes(cost.file)} of it and{' '}
-        {megabytes(cost.gpu)} on the GPU.{' '}
-        {own.length === 0 ? 'The wrinkles have no errors.' : `The wrinkles have ${own.length} errors.`}
+        {exportedLabel(state.name, { all: bytes.length, wrinkles: cost.file, gpu: cost.gpu }, own.length)}
       </p>
       {notes.length > 0 && (
         <ul class="hint">
@@ -88,14 +85,10 @@ function Done({ state, onCopy }: DoneProps) {
 function Code({ text, onCopy }: { text: string; onCopy(text: string): void }) {
   return (
     <>
-      <textarea class="code" readOnly rows={8} spellcheck={false} aria-label={FILE.code} value={text} />
+      <textarea class="code" readOnly rows={8} spellcheck={false} aria-label={EXPORT.code} value={text} />
       <button type="button" onClick={() => onCopy(text)}>
-        {FILE.copyCode}
+        {EXPORT.copyCode}
       </button>
     </>
   )
-}
-
-function megabytes(bytes: number): string {
-  return bytes < 1e6 ? `${Math.round(bytes / 1e3)} kB` : `${(bytes / 1e6).toFixed(1)} MB`
 }

@@ -2,7 +2,7 @@ import { signal } from '@preact/signals'
 import type { StudioArea } from '../document/document.ts'
 import { splitSide } from '../document/sides.ts'
 import { regionLabel } from '../labels/names.ts'
-import { PLACES } from '../labels/page.ts'
+import { INSPECTOR, PLACES } from '../labels/page.ts'
 import { FILE } from '../labels/project.ts'
 import { Animation } from '../panels/animation.tsx'
 import { ChosenArea } from '../panels/areas/chosen-area.tsx'
@@ -86,14 +86,14 @@ function When({ selected: { kind, area, group }, model }: PartProps) {
   if (kind === 'region') return <Drivers model={model} area={area!.name} />
   if (kind === 'line') return <Owners areas={areasOf(group, model)} model={model} />
   if ((model.viewer.value?.targets.length ?? 0) > 0) return <Shapes model={model} />
-  return <p class="hint">This avatar has no blendshapes. Select a region to let joints or values show it.</p>
+  return <p class="hint">{INSPECTOR.noBlendshapes}</p>
 }
 
 /** Regions that show a line. */
 function Owners({ areas, model }: { areas: readonly StudioArea[]; model: PanelModel }) {
   return (
     <>
-      <p class="hint">A line shows when its region does.</p>
+      <p class="hint">{INSPECTOR.lineShows}</p>
       <div class="add">
         {areas.map(({ name }) => (
           <button key={name} type="button" onClick={() => model.actions.selectRegion(name)}>
@@ -112,16 +112,16 @@ function areasOf(group: string | undefined, { session }: PanelModel): readonly S
 }
 
 function NoWrinkles() {
-  return <p class="hint">These wrinkles came with the file. Select a region or a line to change it.</p>
+  return <p class="hint">{INSPECTOR.fromFileEditable}</p>
 }
 
 /** Shown while the wrinkles are those of the avatar's file, which users cannot edit. */
 function FromFile({ model: { viewer, autoRun, actions } }: { model: PanelModel }) {
-  if (autoRun.value) return <p class="hint">The wrinkles are being made.</p>
-  if (!viewer.value?.wrinkles) return <p class="hint">This avatar has no wrinkles.</p>
+  if (autoRun.value) return <p class="hint">{INSPECTOR.making}</p>
+  if (!viewer.value?.wrinkles) return <p class="hint">{INSPECTOR.noWrinkles}</p>
   return (
     <Section title={PLACES.wholeFace}>
-      <p class="hint">These wrinkles came with the file.</p>
+      <p class="hint">{INSPECTOR.fromFile}</p>
       <button type="button" class="main" onClick={actions.editWrinkles}>
         {FILE.edit}
       </button>

@@ -1,5 +1,5 @@
 import type { Mesh } from 'three'
-import { PLACES } from '../labels/page.ts'
+import { MESHES, PLACES, showMeshLabel } from '../labels/page.ts'
 import { Section } from '../panels/controls/section.tsx'
 import type { PanelModel } from '../panels/model.ts'
 import { Icon } from '../ui/icon.tsx'
@@ -19,8 +19,8 @@ export function MeshList({ model }: { model: PanelModel }) {
             <button
               type="button"
               class="toggle"
-              aria-label={`Show ${name}`}
-              title={hidden.has(all[i]) ? 'Show' : 'Hide'}
+              aria-label={showMeshLabel(name)}
+              title={hidden.has(all[i]) ? MESHES.show : MESHES.hide}
               aria-pressed={!hidden.has(all[i])}
               onClick={() => meshes.toggle(all[i])}
             >
@@ -36,7 +36,7 @@ export function MeshList({ model }: { model: PanelModel }) {
 
 /** Returns a unique name for each mesh. */
 function namesOf(meshes: readonly Mesh[]): string[] {
-  const names = meshes.map(({ name, parent }) => name || parent?.name || 'mesh')
+  const names = meshes.map(({ name, parent }) => name || parent?.name || MESHES.unnamed)
   return names.map((name, i) => (names.indexOf(name) === i ? name : `${name} ${i + 1}`))
 }
 
@@ -46,7 +46,7 @@ function SkinChoice({ model: { viewer, actions } }: { model: PanelModel }) {
   if (!avatar || avatar.skins.length < 2) return null
   return (
     <div class="setting">
-      <label for="skin">Skin</label>
+      <label for="skin">{MESHES.skin}</label>
       <select
         id="skin"
         value={avatar.skin}

@@ -12,11 +12,7 @@ export function ShareCard({ actions }: { actions: PanelActions }) {
   }
   return (
     <Popover label={FILE.share} placement="bottom-end" button={FILE.share} isOpen={isOpen}>
-      <button
-        type="button"
-        title="Copy a link to this expression, view and avatar"
-        onClick={() => run(actions.copyLink)}
-      >
+      <button type="button" title={FILE.copyLinkHint} onClick={() => run(actions.copyLink)}>
         {FILE.copyLink}
       </button>
       <button type="button" onClick={() => run(actions.savePicture)}>

@@ -1,4 +1,4 @@
-import { TOOLS } from '../labels/page.ts'
+import { PAGE, TOOLS } from '../labels/page.ts'
 import type { PanelModel } from '../panels/model.ts'
 import { SHORTCUTS } from '../shortcuts.ts'
 import { TOOL_NAMES } from '../tools/tool-choice.ts'
@@ -8,7 +8,7 @@ import { ToolButton } from '../ui/tool-button.tsx'
 export function Toolbar({ model: { tools, session } }: { model: PanelModel }) {
   const hasDocument = session.document.value !== null
   return (
-    <div role="toolbar" aria-label="Tools" aria-orientation="vertical">
+    <div role="toolbar" aria-label={PAGE.tools} aria-orientation="vertical">
       {TOOL_NAMES.map((tool) => (
         <ToolButton
           key={tool}

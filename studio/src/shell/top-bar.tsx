@@ -1,4 +1,4 @@
-import { MODES } from '../labels/page.ts'
+import { historyLabel, MODES, PAGE } from '../labels/page.ts'
 import { FILE } from '../labels/project.ts'
 import { KeepStatus } from '../panels/keeping/keep-status.tsx'
 import type { PanelModel } from '../panels/model.ts'
@@ -19,7 +19,7 @@ export function TopBar({ model }: { model: PanelModel }) {
   return (
     <>
       <div class="bar">
-        <h1 class="hidden">Furrow studio</h1>
+        <h1 class="hidden">{PAGE.title}</h1>
         <ProjectCard model={model} />
         <KeepStatus model={model} />
         <History label={FILE.undo} icon="undo" step={undoLabel.value} onPress={() => session.undo()} />
@@ -31,7 +31,7 @@ export function TopBar({ model }: { model: PanelModel }) {
           type="button"
           class="plain keys"
           aria-label={FILE.shortcuts}
-          title={`${FILE.shortcuts} (?)`}
+          title={FILE.shortcutsHint}
           onClick={() => {
             dialogs.shortcuts.value = true
           }}
@@ -72,7 +72,7 @@ function History({ label, icon, step, onPress }: HistoryProps) {
       class="plain"
       aria-label={label}
       aria-disabled={!step}
-      title={step ? `${label}: ${step}` : label}
+      title={historyLabel(label, step)}
       onClick={onPress}
     >
       <Icon name={icon} />
@@ -82,7 +82,7 @@ function History({ label, icon, step, onPress }: HistoryProps) {
 
 function Modes({ mode, onChange }: { mode: Mode; onChange(mode: Mode): void }) {
   return (
-    <fieldset class="segments modes" aria-label="Mode">
+    <fieldset class="segments modes" aria-label={PAGE.mode}>
       {MODE_OPTIONS.map(({ value, label }) => (
         <label key={value}>
           <input type="radio" name="mode" checked={value === mode} onChange={() => onChange(value)} />

@@ -1,3 +1,4 @@
+import { KEEPING } from '../../labels/project.ts'
 import type { PanelModel } from '../model.ts'
 
 /** Message about the state of saving in the browser, with buttons that solve problems. */
@@ -8,7 +9,7 @@ export function KeepStatus({ model: { saving, session, actions } }: { model: Pan
     const isFailed = state.kind === 'failed'
     return (
       <p class={isFailed ? 'hint warning' : 'hint'} role={isFailed ? 'alert' : 'status'}>
-        {isFailed ? state.reason.message : 'Kept in this browser'}
+        {isFailed ? state.reason.message : KEEPING.kept}
       </p>
     )
   }
@@ -16,15 +17,15 @@ export function KeepStatus({ model: { saving, session, actions } }: { model: Pan
   return (
     <div class="elsewhere">
       <p class="hint warning" role="alert">
-        Open in another tab, which alone keeps it: changes in this one are not kept
+        {KEEPING.elsewhere}
       </p>
       <div class="work">
         <button type="button" onClick={actions.keepCopy}>
-          Keep a copy
+          {KEEPING.keepCopy}
         </button>
         {!isChanged && (
           <button type="button" onClick={actions.takeOver}>
-            Go on here
+            {KEEPING.takeOver}
           </button>
         )}
       </div>

@@ -1,5 +1,5 @@
 import type { ProjectEntry } from '../../keep/project-store.ts'
-import { FILE } from '../../labels/project.ts'
+import { deleteProjectLabel, KEEPING } from '../../labels/project.ts'
 import type { PanelModel } from '../model.ts'
 
 export function Recent({ model: { projects, actions } }: { model: PanelModel }) {
@@ -7,7 +7,7 @@ export function Recent({ model: { projects, actions } }: { model: PanelModel }) 
   if (entries.length === 0) return null
   return (
     <section aria-labelledby="recent">
-      <h2 id="recent">{FILE.recent}</h2>
+      <h2 id="recent">{KEEPING.recent}</h2>
       <ul class="list">
         {entries.map((entry) => (
           <li key={entry.id}>
@@ -23,8 +23,8 @@ export function Recent({ model: { projects, actions } }: { model: PanelModel }) 
             <button
               type="button"
               class="remove"
-              title="Delete"
-              aria-label={`Delete ${entry.name}`}
+              title={KEEPING.remove}
+              aria-label={deleteProjectLabel(entry.name)}
               onClick={() => actions.deleteProject(entry.id)}
             >
               ×

@@ -1,5 +1,5 @@
 import { canWriteFolders } from '../../keep/disk-folder.ts'
-import { FILE } from '../../labels/project.ts'
+import { KEEPING, saveToLabel } from '../../labels/project.ts'
 import type { PanelModel } from '../model.ts'
 
 /** Buttons that save the project as a .zip file or, if the browser can write folders, as a folder. */
@@ -8,16 +8,16 @@ export function SaveProject({ model: { folder, actions } }: { model: PanelModel 
   return (
     <div class="add">
       <button type="button" onClick={actions.saveProject}>
-        {FILE.saveProject}
+        {KEEPING.saveProject}
       </button>
       {canWriteFolders() && known && (
         <button type="button" onClick={() => actions.saveToFolder(false)}>
-          Save to {known.name}
+          {saveToLabel(known.name)}
         </button>
       )}
       {canWriteFolders() && (
         <button type="button" onClick={() => actions.saveToFolder(true)}>
-          {known ? 'Save to another folder…' : 'Save to folder…'}
+          {known ? KEEPING.saveToOtherFolder : KEEPING.saveToFolder}
         </button>
       )}
     </div>
