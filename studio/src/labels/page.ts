@@ -45,9 +45,20 @@ export const PLACES = {
 } as const
 
 export const PREFERENCES = {
-  renderer: 'Renderer',
-  wrinkles: 'Wrinkles',
   page: 'Theme',
+  system: 'System',
+  systemHint: 'Follows the system',
+  light: 'Light',
+  dark: 'Dark',
+  renderer: 'Renderer',
+  webgl: 'WebGL',
+  webgpu: 'WebGPU',
+  wrinkles: 'Wrinkles',
+  default: 'Default',
+  defaultHint: 'Mixes normals, computes the lighting once',
+  paper: 'Paper',
+  paperHint: 'Lights twice, mixes colours',
+  off: 'Off',
   statistics: 'Statistics',
 } as const
 

@@ -1,4 +1,5 @@
 import { addSection, HeightSum, isBulge, sectionOf } from 'furrow/internal'
+import { sectionLabel } from '../labels/lines.ts'
 import type { LineShape } from '../lines/line-shape.ts'
 
 /** Size of the picture, CSS pixels, and the height of the skin around the line. */
@@ -16,13 +17,12 @@ export function LineSection({ line, label }: { line: LineShape; label: string })
     const height = heightAt(line, x / SCALE - REACH)
     return `${x},${(SKIN - height * SCALE * EXAGGERATION).toFixed(1)}`
   })
-  const kind = isBulge(line) ? 'raised' : 'deep'
   return (
     <svg
       class="line-section"
       viewBox={`0 0 ${WIDTH} ${HEIGHT}`}
       role="img"
-      aria-label={`${label}: ${Math.abs(line.depth).toFixed(2)} mm ${kind}`}
+      aria-label={sectionLabel(label, line.depth, isBulge(line))}
     >
       <path class="skin" d={`M${points.join('L')}V${HEIGHT}H0Z`} />
     </svg>

@@ -1,7 +1,7 @@
 import { BANK_WIDTHS, isBulge } from 'furrow/internal'
 import { useId } from 'preact/hooks'
-import { LINE } from '../labels/lines.ts'
-import { type LineEditor, type LineMode, REACH_RANGE } from '../lines/line-editor.ts'
+import { LINE, LINE_ACTIONS, LINE_HINTS } from '../labels/lines.ts'
+import { type LineEditor, REACH_RANGE } from '../lines/line-editor.ts'
 import { type LineShape, meanTaper } from '../lines/line-shape.ts'
 import { NumberSlider } from './controls/number-slider.tsx'
 import { LineChoice, LinePoints } from './line-choice.tsx'
@@ -49,20 +49,10 @@ export function Lines({ model }: { model: PanelModel }) {
 }
 
 function hintOf({ mode, chosen, handles }: LineEditor): string {
-  if (mode.value !== 'edit' || !chosen.value) return HINTS[mode.value]
-  return handles.value.some(({ fork }) => fork) ? `${HINTS.chosen} ${HINTS.fork}` : HINTS.chosen
-}
-
-const HINTS: Record<LineMode | 'chosen' | 'fork', string> = {
-  off: 'Every wrinkle is a line.',
-  select: 'Drag across the line to make it deeper. Shift+click chooses several lines.',
-  edit: 'Drag a line on the face, or choose one above. Shift+click chooses several lines.',
-  chosen:
-    'Drag the line or a point. Points within the reach follow. The keys [ and ] change the reach; with Alt, a point moves alone. Shift+click or double-click adds a point, Delete removes it.',
-  fork: 'A diamond is a fork: dragging it moves all lines that meet there.',
-  draw: 'Draw on the skin. Drag beside the face to turn it.',
-  smooth: 'Click a line, or drag over lines, to smooth them.',
-  erase: 'Click a line, or drag over lines, to delete them.',
+  if (mode.value !== 'edit' || !chosen.value) return LINE_HINTS[mode.value]
+  return handles.value.some(({ fork }) => fork)
+    ? `${LINE_HINTS.chosen} ${LINE_HINTS.fork}`
+    : LINE_HINTS.chosen
 }
 
 type Attempt = PanelModel['actions']['attempt']
@@ -107,7 +97,7 @@ function Shape({ shape, editor, attempt }: ControlsProps & { shape: LineShape })
     <div>
       {isNew && slider(LINE.width, isRaised ? BULGE_WIDTH : WIDTH, width, (value) => ({ width: value }))}
       {isNew && slider(LINE.depth, DEPTH, depth, (value) => ({ depth: value }))}
-      {isRaised && <p class="hint">A negative depth raises the skin: the line is a bulge.</p>}
+      {isRaised && <p class="hint">{LINE_HINTS.bulge}</p>}
       {!isRaised && (
         <>
           {isNew && slider(LINE.softness, FRACTION, softness, (value) => ({ softness: value }))}
@@ -148,7 +138,7 @@ function Membership({ group, layer, isNew, groups, layers, editor, attempt }: Me
           type="search"
           list={`${id}-groups`}
           value={group}
-          placeholder={isNew ? 'The region under the line' : 'A new name creates a region'}
+          placeholder={isNew ? LINE.groupUnder : LINE.newGroup}
           onChange={({ currentTarget }) => attempt(() => editor.setGroup(currentTarget.value.trim()))}
         />
         <datalist id={`${id}-groups`}>
@@ -164,7 +154,7 @@ function Membership({ group, layer, isNew, groups, layers, editor, attempt }: Me
           value={layer}
           onChange={({ currentTarget }) => attempt(() => editor.setLayer(currentTarget.value))}
         >
-          {isNew && <option value="">The layer of the region</option>}
+          {isNew && <option value="">{LINE.layerOfGroup}</option>}
           {layers.map((name) => (
             <option key={name} value={name}>
               {name}
@@ -189,26 +179,26 @@ function hasPoint({ handles, point }: LineEditor): boolean {
 function Operations({ editor, attempt }: ControlsProps) {
   const isSeveral = editor.allChosen.value.length > 1
   const buttons: readonly [label: string, title: string, action: () => void, isDisabled?: boolean][] = [
-    [LINE.smooth, 'Removes jitter, and keeps bends', () => editor.smooth()],
-    [LINE.split, 'At the chosen point, or in the middle', () => editor.split(), isSeveral],
-    [LINE.mirror, 'Adds its mirror image', () => editor.mirror()],
+    [LINE.smooth, LINE_ACTIONS.smooth, () => editor.smooth()],
+    [LINE.split, LINE_ACTIONS.split, () => editor.split(), isSeveral],
+    [LINE.mirror, LINE_ACTIONS.mirror, () => editor.mirror()],
     [
       LINE.detach,
-      'Shortens the line where it ends on another line',
+      LINE_ACTIONS.detach,
       () => editor.detach(),
       isSeveral || editor.attachedEnds.value.length === 0,
     ],
     [isSeveral ? LINE.removeLines : LINE.remove, '', () => editor.removeLine()],
-    [LINE.removePoint, 'Removes the chosen point', () => editor.remove(), !hasPoint(editor)],
+    [LINE.removePoint, LINE_ACTIONS.removePoint, () => editor.remove(), !hasPoint(editor)],
     [
       LINE.chooseGroup,
-      'Chooses all lines of the region',
+      LINE_ACTIONS.chooseGroup,
       () => editor.chooseGroup(),
       editor.chosen.value?.group === undefined,
     ],
   ]
   return (
-    <fieldset class="grid lines-actions" aria-label={isSeveral ? 'Chosen lines' : 'Chosen line'}>
+    <fieldset class="grid lines-actions" aria-label={isSeveral ? LINE.chosenLines : LINE.chosenLine}>
       {buttons.map(([label, title, action, isDisabled]) => (
         <button key={label} type="button" title={title} disabled={isDisabled} onClick={() => attempt(action)}>
           {label}

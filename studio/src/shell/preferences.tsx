@@ -10,20 +10,20 @@ import { isStatisticsShown } from '../statistics.ts'
 import { Dialog } from '../ui/dialog.tsx'
 
 const RENDERERS: readonly { value: RendererKind; label: string }[] = [
-  { value: 'webgl', label: 'WebGL' },
-  { value: 'webgpu', label: 'WebGPU' },
+  { value: 'webgl', label: PREFERENCES.webgl },
+  { value: 'webgpu', label: PREFERENCES.webgpu },
 ]
 
 const MODES: readonly { value: Exclude<WrinkleMode, 'composed'>; label: string; title?: string }[] = [
-  { value: 'default', label: 'Default', title: 'Mixes normals, computes the lighting once' },
-  { value: 'paper', label: 'Paper', title: 'Lights twice, mixes colours' },
-  { value: 'off', label: 'Off' },
+  { value: 'default', label: PREFERENCES.default, title: PREFERENCES.defaultHint },
+  { value: 'paper', label: PREFERENCES.paper, title: PREFERENCES.paperHint },
+  { value: 'off', label: PREFERENCES.off },
 ]
 
 const APPEARANCES: readonly { value: Appearance; label: string; title?: string }[] = [
-  { value: 'system', label: 'System', title: 'Follows the system' },
-  { value: 'light', label: 'Light' },
-  { value: 'dark', label: 'Dark' },
+  { value: 'system', label: PREFERENCES.system, title: PREFERENCES.systemHint },
+  { value: 'light', label: PREFERENCES.light },
+  { value: 'dark', label: PREFERENCES.dark },
 ]
 
 /** Dialog with settings that users change rarely. */
