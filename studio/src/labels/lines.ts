@@ -1,3 +1,5 @@
+import { regionLabel } from './names.ts'
+
 /** Fields and commands of a wrinkle line. */
 export const LINE = {
   line: 'Line',
@@ -52,6 +54,11 @@ export const LINE_HINTS = {
   erase: 'Click a line, or drag over lines, to delete them.',
   bulge: 'A negative depth raises the skin: the line is a bulge.',
 } as const
+
+/** Returns the label of a chosen line: `Line of Brow, left`. @param group name of its region in the file. */
+export function lineLabel(group: string | undefined): string {
+  return group === undefined ? LINE.line : `Line of ${regionLabel(group)}`
+}
 
 /** Returns the label of several chosen lines: `3 lines`. */
 export function linesLabel(count: number): string {

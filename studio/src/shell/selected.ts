@@ -1,5 +1,5 @@
 import type { StudioArea } from '../document/document.ts'
-import { linesLabel } from '../labels/lines.ts'
+import { lineLabel, linesLabel } from '../labels/lines.ts'
 import { regionLabel } from '../labels/names.ts'
 import { PLACES } from '../labels/page.ts'
 import type { PanelModel } from '../panels/model.ts'
@@ -25,7 +25,7 @@ export function selectedIn({ lines, areas, tools }: PanelModel): Selected {
     const count = lines.allChosen.value.length
     if (count > 1)
       return { kind: 'line', label: linesLabel(count), layer, ...(group !== undefined && { group }) }
-    const label = group === undefined ? 'Line' : `Line of ${regionLabel(group)}`
+    const label = lineLabel(group)
     return { kind: 'line', label, layer, ...(group !== undefined && { group, fileName: group }) }
   }
   if (tools.tool.value === 'draw') return { kind: 'new line', label: PLACES.newLine }
