@@ -8,6 +8,7 @@ import type { Messages } from './messages.ts'
 import type { Dialogs, PanelModel } from './panels/model.ts'
 import type { AreaEditor } from './session/area-editor.ts'
 import type { FaceAreas } from './session/face-areas.ts'
+import type { ImageImport } from './session/image-import.ts'
 import type { LayerEditor } from './session/layer-editor.ts'
 import type { Opening } from './session/opening.ts'
 import type { Saving } from './session/saving.ts'
@@ -26,6 +27,7 @@ export interface PanelParts {
   lines: Lines
   areas: AreaEditor
   faceAreas: FaceAreas
+  images: ImageImport
   layers: LayerEditor
   shapes: ShapeEditor
   painting: Painting
@@ -41,7 +43,7 @@ export interface PanelParts {
 }
 
 export function panelModel(parts: PanelParts): PanelModel {
-  const { workspace, saving, face, lines, areas, faceAreas, layers, shapes, painting, tools } = parts
+  const { workspace, saving, face, lines, areas, faceAreas, images, layers, shapes, painting, tools } = parts
   const { opening, host, downloads, link, messages, faces, dialogs, hints } = parts
   const { session, automatic, exporting, keeping, settings } = workspace
   const { viewer, frame, revision, expression, hovered, staging, player, meshes, pictures } = face
@@ -49,6 +51,7 @@ export function panelModel(parts: PanelParts): PanelModel {
     session,
     lines: lines.editor,
     areas,
+    images,
     layers,
     shapes,
     painting,

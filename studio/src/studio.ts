@@ -23,6 +23,7 @@ import { bindTools } from './pointer/bind-tools.ts'
 import { FacePointer } from './pointer/face-pointer.ts'
 import { AreaEditor } from './session/area-editor.ts'
 import { FaceAreas } from './session/face-areas.ts'
+import { ImageImport } from './session/image-import.ts'
 import { LayerEditor } from './session/layer-editor.ts'
 import { Opening } from './session/opening.ts'
 import { Saving } from './session/saving.ts'
@@ -127,13 +128,22 @@ export class Studio {
       attempt,
     })
     const faceAreas = new FaceAreas(this.#face, areas, messages)
+    const images = new ImageImport({
+      session,
+      areas,
+      faceAreas,
+      layers,
+      messages,
+      layer: () => (this.#lines.editor.chosen.peek() ?? areas.chosen.peek())?.layer,
+      editWrinkles: () => this.#workspace.editWrinkles(),
+    })
     this.#opening = new Opening({
       host: this.#host,
       face: this.#face,
       workspace: this.#workspace,
       messages,
       loading,
-      addAreas: (images) => faceAreas.add(images, 'paper'),
+      askImages: (files) => images.ask(files),
       onDropped: (avatar) => this.#reveal.await(avatar),
     })
     const tools = new ToolHost(page.viewport, () => this.#viewer?.stage.camera ?? null)
@@ -196,6 +206,7 @@ export class Studio {
         lines: this.#lines,
         areas,
         faceAreas,
+        images,
         layers,
         shapes: new ShapeEditor(session, this.#workspace.source),
         painting: this.#painting,

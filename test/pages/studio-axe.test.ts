@@ -7,7 +7,16 @@ import type { AxeResults } from 'axe-core'
 import type { Page } from 'playwright-core'
 import { beforeAll, expect, test } from 'vitest'
 import { openStudio } from './opened-studio.ts'
-import { chooseTool, dropPaths, exportFile, projectCard, showTab, waitUntilReady } from './studio-page.ts'
+import {
+  blackPng,
+  chooseTool,
+  drop,
+  dropPaths,
+  exportFile,
+  projectCard,
+  showTab,
+  waitUntilReady,
+} from './studio-page.ts'
 
 const AXE = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8')
 const WINDOW = { width: 1280, height: 800 }
@@ -149,6 +158,13 @@ test('no violation with a message and an expression that plays', async () => {
   await button('Surprised').click()
   await expectNone()
   await page.getByRole('button', { name: 'Dismiss' }).click()
+})
+
+test('no violation in the question about a dropped image', async () => {
+  await drop(page, 'skin_normal.png', await blackPng())
+  await page.getByRole('dialog', { name: 'What is this image?' }).waitFor()
+  await expectNone()
+  await button('Cancel').click()
 })
 
 test('no violation with the list of shortcuts', async () => {

@@ -8,8 +8,11 @@ import { beforeAll, expect, test } from 'vitest'
 import { readDocument } from '../../studio/src/export/read-document.ts'
 import { openStudio } from './opened-studio.ts'
 import {
+  addImages,
+  blackPng,
   button,
   dismiss,
+  drop,
   dropPlain,
   eventually,
   expectPicture,
@@ -19,6 +22,7 @@ import {
   showTab,
   slider,
   undoIs,
+  undoLabel,
 } from './studio-page.ts'
 
 const studio = openStudio({ width: 1100, height: 640 })
@@ -62,6 +66,15 @@ test('layers can be added, renamed, moved and undone; a map can be imported, and
   while (await button(page, 'Undo').isEnabled()) await button(page, 'Undo').click()
   await eventually(async () => expect((await layerNames())[0]).toBe(first))
   expect(await layerNames()).not.toContain('sweat')
+})
+
+test('a dropped image is recognised by its name, and becomes a map of the first layer', async () => {
+  await drop(page, 'skin_normal.png', await blackPng())
+  const dialog = page.getByRole('dialog', { name: 'What is this image?' })
+  await eventually(async () => expect(await dialog.getByLabel('Normal map').isChecked()).toBe(true))
+  await addImages(page)
+  await eventually(async () => expect(await undoLabel(page)).toMatch(/^Import normal of/))
+  await button(page, 'Undo').click()
 })
 
 test('an imported blood map reddens or pales the skin where an area shows, and is exported', async () => {

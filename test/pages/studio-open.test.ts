@@ -5,6 +5,7 @@ import type { Page } from 'playwright-core'
 import { beforeAll, expect, test } from 'vitest'
 import { openStudio } from './opened-studio.ts'
 import {
+  addImages,
   brightnessDeviation,
   dismiss,
   dropPaths,
@@ -78,6 +79,7 @@ test('areas can be added to a folder of wrinkles', async () => {
   const image = join(folder, 'forehead.png')
   copyFileSync(join(folder, 'wrinkles/areas/everywhere.png'), image)
   await dropPaths(page, [image])
+  await addImages(page)
   await expectValue(slider(page, 'forehead'), 1)
   expect(await meanPngDifference(before, await shootStage(page))).toBeGreaterThan(1)
 })

@@ -223,6 +223,13 @@ export function blackPng(): Promise<Buffer> {
     .toBuffer()
 }
 
+/** Accepts the guesses of the dialog that asks what dropped images are. */
+export async function addImages(page: Page): Promise<void> {
+  const dialog = page.getByRole('dialog', { name: /^What (is this image|are these images)/ })
+  await dialog.getByRole('button', { name: 'Add', exact: true }).click()
+  await dialog.waitFor({ state: 'detached' })
+}
+
 export async function drop(page: Page, name: string, content: Buffer): Promise<void> {
   const files = await page.evaluateHandle(
     ([fileName, base64]) => {

@@ -6,6 +6,7 @@ import { openPage, useBrowser } from './browser.ts'
 import { serveStudio } from './opened-studio.ts'
 import { movesFace, savesPicture, showsLooks } from './studio-face.ts'
 import {
+  addImages,
   blackPng,
   brightnessDeviation,
   button,
@@ -110,6 +111,7 @@ describe('the studio on WebGL', () => {
     const { page } = studio
     const before = await shootStage(page)
     await drop(page, 'everywhere.png', await blackPng())
+    await addImages(page)
     await expectValue(slider(page, 'everywhere'), 1)
     expect(await meanPngDifference(before, await shootStage(page))).toBeGreaterThan(0.03)
     await page.getByRole('button', { name: 'Remove region everywhere' }).press('Enter')
@@ -134,6 +136,7 @@ describe('the studio on WebGL', () => {
     await dismiss(page, 'bad.png: not a readable image')
     expect(await slider(page, 'bad').count()).toBe(0)
     await drop(page, 'nose.png', await blackPng())
+    await addImages(page)
     await dismiss(page, 'two areas with the same name')
   })
 

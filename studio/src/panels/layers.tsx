@@ -53,6 +53,7 @@ export function Layers({ model: { layers, session, actions }, shown }: LayersPro
           isLast={i === document.layers.length - 1}
           hasStrokes={document.strokes.some((stroke) => stroke.layer === layer.name)}
           editor={layers}
+          attempt={actions.attempt}
         />
       ))}
       <div class="add">
@@ -87,9 +88,11 @@ interface LayerProps {
   isLast: boolean
   hasStrokes: boolean
   editor: LayerEditor
+  /** Runs a task and shows its errors. */
+  attempt(task: () => unknown): void
 }
 
-function Layer({ layer, isShown, isFirst, isLast, hasStrokes, editor }: LayerProps) {
+function Layer({ layer, isShown, isFirst, isLast, hasStrokes, editor, attempt }: LayerProps) {
   const { name, kind, normalScale, maps, heightAmplitude, bloodAmplitude, onsetStrength, isOnsetDrawn } =
     layer
   const id = useId()
@@ -164,6 +167,7 @@ function Layer({ layer, isShown, isFirst, isLast, hasStrokes, editor }: LayerPro
           map={map}
           isDrawn={hasStrokes && isDrawn(map, layer)}
           editor={editor}
+          attempt={attempt}
         />
       ))}
       <Bake name={name} editor={editor} />
@@ -197,14 +201,12 @@ function isDrawn(map: MapName, { isOnsetDrawn }: StudioLayer): boolean {
   return map === 'normal' || map === 'occlusion' || (map === 'onset' && isOnsetDrawn === true)
 }
 
-interface MapRowProps {
-  layer: StudioLayer
+interface MapRowProps extends Pick<LayerProps, 'layer' | 'editor' | 'attempt'> {
   map: MapName
   isDrawn: boolean
-  editor: LayerEditor
 }
 
-function MapRow({ layer: { name, maps }, map, isDrawn, editor }: MapRowProps) {
+function MapRow({ layer: { name, maps }, map, isDrawn, editor, attempt }: MapRowProps) {
   const label = MAP_LABELS[map]
   const hasImage = maps[map] !== undefined
   return (
@@ -215,7 +217,7 @@ function MapRow({ layer: { name, maps }, map, isDrawn, editor }: MapRowProps) {
         label={`Import ${map} of ${name}`}
         title={`Import ${label.toLowerCase()} map`}
         accept={IMAGES}
-        onChoose={([file]) => editor.importMap(name, map, file)}
+        onChoose={([file]) => attempt(() => editor.importMap(name, map, file))}
       >
         Import…
       </FileButton>

@@ -10,6 +10,7 @@ import type { LineEditor } from '../lines/line-editor.ts'
 import type { AreaEditor } from '../session/area-editor.ts'
 import type { AutoRun } from '../session/automatic.ts'
 import type { ExportState } from '../session/exporting.ts'
+import type { ImageImport } from '../session/image-import.ts'
 import type { KeepState } from '../session/keeper.ts'
 import type { LayerEditor } from '../session/layer-editor.ts'
 import type { Session } from '../session/session.ts'
@@ -37,6 +38,8 @@ export interface PanelModel {
   readonly lines: LineEditor
   /** Editor of the document's areas. Without a document, panels show the areas of `viewer`. */
   readonly areas: AreaEditor
+  /** Question about dropped images. */
+  readonly images: ImageImport
   readonly layers: LayerEditor
   readonly shapes: ShapeEditor
   readonly painting: Painting

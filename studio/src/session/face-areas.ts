@@ -19,12 +19,12 @@ export class FaceAreas {
 
   /** Adds images as areas. Reports all failed images in one message. */
   async add(files: readonly File[], convention: AreaConvention): Promise<void> {
-    if (files.length > MAX_AREAS) return this.#messages.error(tooManyImagesError(files.length))
-    const errors: unknown[] = []
-    for (const file of files) await this.#addOne(file, convention).catch((error) => errors.push(error))
-    if (errors.length === 0) return
-    const count = `${errors.length} of ${files.length} images were not added; the first: `
-    this.#messages.error(errors.length === 1 ? errors[0] : `${count}${(errors[0] as Error).message}`)
+    await this.#messages.attempt(async () => {
+      checkImageCount(files)
+      const errors: unknown[] = []
+      for (const file of files) await this.#addOne(file, convention).catch((error) => errors.push(error))
+      if (errors.length > 0) throw joinedError(errors, files.length)
+    })
   }
 
   async #addOne(file: File, convention: AreaConvention): Promise<void> {
@@ -48,12 +48,21 @@ export class FaceAreas {
   }
 }
 
-function tooManyImagesError(count: number): FurrowError {
-  return new FurrowError({
+/** Joins the errors of images, of which there is at least one. @param count number of all images. */
+export function joinedError(errors: readonly unknown[], count: number): Error {
+  const first = errors[0] as Error
+  if (errors.length === 1) return first
+  return new Error(`${errors.length} of ${count} images were not added; the first: ${first.message}`)
+}
+
+/** @throws FurrowError if there are more images than areas in a document. */
+export function checkImageCount(files: readonly File[]): void {
+  if (files.length <= MAX_AREAS) return
+  throw new FurrowError({
     code: 'out-of-range',
     who: 'Studio',
     problem: 'too many images to add as areas',
-    value: count,
+    value: files.length,
     limit: `${MAX_AREAS}`,
     remedy: 'drop only the images of this face',
   })

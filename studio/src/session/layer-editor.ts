@@ -1,6 +1,7 @@
 import { type ReadonlySignal, signal } from '@preact/signals'
 import { fileNamesOf } from 'furrow/internal'
 import type { MapName, StudioDocument } from '../document/document.ts'
+import { importMap } from '../document/import-map.ts'
 import {
   addLayer,
   type LayerFields,
@@ -18,11 +19,6 @@ import { type DrawnWork, documentToPack } from './exporting.ts'
 import { faceFilesOf } from './face-files.ts'
 import { readMap } from './map-file.ts'
 import type { Session } from './session.ts'
-
-/** Default height difference between black and white in an imported height map, metres. */
-const HEIGHT_AMPLITUDE = 0.002
-/** Default `bloodAmplitude` (optical depth) of an imported blood map. With this default, white is a clearly visible flush. */
-const BLOOD_AMPLITUDE = 0.3
 
 export interface BakeRun {
   readonly layer: string
@@ -87,22 +83,13 @@ export class LayerEditor {
     this.#edit(`Remove ${map} of ${name}`, (document) => setMap(document, name, map, undefined))
   }
 
-  importMap(name: string, map: MapName, file: File): void {
-    this.#parts.attempt(async () => {
-      const { session } = this.#parts
-      const size = session.document.peek()?.mapSize
-      if (size === undefined) return
-      const image = await readMap(file, map, size)
-      session.edit(`Import ${map} of ${name}`, (document) => {
-        const withImage = setMap(document, name, map, image)
-        const layer = document.layers.find((each) => each.name === name)
-        if (map === 'height' && layer?.heightAmplitude === undefined)
-          return setLayer(withImage, name, { heightAmplitude: HEIGHT_AMPLITUDE })
-        if (map === 'blood' && layer?.bloodAmplitude === undefined)
-          return setLayer(withImage, name, { bloodAmplitude: BLOOD_AMPLITUDE })
-        return withImage
-      })
-    })
+  /** Imports an image as a map of a layer, in one undo step; see `importMap`. Rejects with a FurrowError if the image is unsupported. */
+  async importMap(name: string, map: MapName, file: File): Promise<void> {
+    const { session } = this.#parts
+    const size = session.document.peek()?.mapSize
+    if (size === undefined) return
+    const image = await readMap(file, map, size)
+    session.edit(`Import ${map} of ${name}`, (document) => importMap(document, name, map, image))
   }
 
   /**

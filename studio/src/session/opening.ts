@@ -19,7 +19,8 @@ export interface OpeningParts {
   workspace: Workspace
   messages: Messages
   loading: Loading
-  addAreas(images: readonly File[]): Promise<void>
+  /** Asks what dropped images are, and adds them. */
+  askImages(images: readonly File[]): Promise<void>
   /** Called before an avatar that the user dropped is shown. */
   onDropped(avatar: OpenedAvatar): void
 }
@@ -69,10 +70,10 @@ export class Opening {
    * @param list lists the files. Called synchronously, because browsers deny access to dropped files after the event.
    */
   async openFiles(list: () => Promise<DroppedFile[]>): Promise<void> {
-    const { messages, loading, addAreas, onDropped } = this.#parts
+    const { messages, loading, askImages, onDropped } = this.#parts
     await messages.attempt(async () => {
       const dropped = await sortFiles(await list())
-      if (dropped.kind === 'areas') return addAreas(dropped.images.map(({ file }) => file))
+      if (dropped.kind === 'areas') return askImages(dropped.images.map(({ file }) => file))
       if (dropped.kind === 'captures') return this.#addCapture(dropped.tables)
       if (dropped.kind === 'preset') return this.#applyPreset(dropped.preset)
       await this.open(async (shown) => {

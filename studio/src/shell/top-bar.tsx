@@ -5,6 +5,7 @@ import type { PanelModel } from '../panels/model.ts'
 import { MODE_NAMES, type Mode } from '../tools/tool-choice.ts'
 import { Icon, type IconName } from '../ui/icon.tsx'
 import { ExportCard } from './export-card.tsx'
+import { ImageQuestion } from './image-question.tsx'
 import { Preferences } from './preferences.tsx'
 import { ProjectCard } from './project-card.tsx'
 import { ShareCard } from './share-card.tsx'
@@ -52,6 +53,7 @@ export function TopBar({ model }: { model: PanelModel }) {
       </div>
       <ShortcutList isOpen={dialogs.shortcuts} />
       <Preferences model={model} />
+      <ImageQuestion model={model} />
     </>
   )
 }
