@@ -77,6 +77,19 @@ test('a dropped image is recognised by its name, and becomes a map of the first 
   await button(page, 'Undo').click()
 })
 
+test('regions can have more texels, and the code beside Export names their number', async () => {
+  const size = page.getByLabel('Region size')
+  await size.selectOption('256')
+  await undoIs(page, 'Change the size of regions to 256')
+  await exportFile(page)
+  await button(page, 'Exported file').click()
+  const code = page.getByRole('textbox', { name: 'Code that loads the file' })
+  await eventually(async () => expect(await code.inputValue()).toContain('areaSize: 256'))
+  await page.keyboard.press('Escape')
+  await button(page, 'Undo').click()
+  await eventually(async () => expect(await size.inputValue()).toBe('128'))
+})
+
 test('an imported blood map reddens or pales the skin where an area shows, and is exported', async () => {
   await showSliders(page)
   await page.locator('#filter').fill('browInnerUp')

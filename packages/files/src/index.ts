@@ -52,7 +52,7 @@ export { inspectPlain, type PlainInspection } from './wrinkles/inspect-plain.ts'
 export { inspectShapes, type ShapeReport } from './wrinkles/inspect-shapes.ts'
 export { MAP_SLOTS } from './wrinkles/map-slots.ts'
 export { partOfImage } from './wrinkles/shared-image.ts'
-export { type GpuSizes, kilobytes } from './wrinkles/sizes.ts'
+export { areaSizes, type GpuSizes, influenceMapBytes, kilobytes } from './wrinkles/sizes.ts'
 export { checkStrokes, layersOf, strokesBytes, strokesIn } from './wrinkles/strokes.ts'
 export { unpackWrinkles } from './wrinkles/unpack.ts'
 export {

@@ -1,6 +1,7 @@
 import { FurrowError, type GrayImage } from 'furrow'
 import type { AutoWrinkles } from 'furrow/author'
-import { autoDrivers, halfSide, MAX_LAYERS, strokesOf } from 'furrow/internal'
+import { autoDrivers, DEFAULT_AREA_SIZE, halfSide, MAX_LAYERS, strokesOf } from 'furrow/internal'
+import { setAreaSize } from './area-size.ts'
 import {
   type AutoSettings,
   type ImageFile,
@@ -35,7 +36,6 @@ const AUTOMATIC_LAYER = /^auto\d$/
 export function automaticDocument(
   wrinkles: AutoWrinkles,
   auto: AutoSettings,
-  areaSize: number,
   names: Pick<StudioDocument, 'mesh' | 'material'>,
   images: readonly AutoMaps<ImageFile>[] = [],
 ): StudioDocument {
@@ -45,7 +45,7 @@ export function automaticDocument(
     ...names,
     scale,
     mapSize: auto.size,
-    areaSize,
+    areaSize: (areas[0] ?? blood.areas[0] ?? bulges[0])?.weights.width ?? DEFAULT_AREA_SIZE,
     layers: layers.map(
       ({ name, onset }, i): StudioLayer => ({
         ...LAYER_DEFAULTS,
@@ -65,10 +65,12 @@ export function automaticDocument(
 }
 
 /**
- * Replaces the automatic wrinkles of a document by those in `made`. Keeps the artist's work: painted areas with their drivers and strokes,
+ * Replaces the automatic wrinkles of a document by those in `newest`. Keeps the artist's work: painted areas with their drivers and strokes,
  * edited strokes, and layers with imported images.
  */
-export function remake(document: StudioDocument, made: StudioDocument): StudioDocument {
+export function remake(document: StudioDocument, newest: StudioDocument): StudioDocument {
+  // The size may have changed while the wrinkles were made.
+  const made = setAreaSize(newest, document.areaSize)
   const painted = new Set(document.areas.flatMap(({ name, isAutomatic }) => (isAutomatic ? [] : name)))
   // If the artist has edited one stroke of a group, keep all strokes of the group. Otherwise new strokes would cross the edited stroke, and the
   // strokes of a fork would no longer meet.
@@ -97,7 +99,6 @@ export function remake(document: StudioDocument, made: StudioDocument): StudioDo
   return {
     ...made,
     ...(hasImages && { mapSize: document.mapSize }),
-    areaSize: document.areaSize,
     ...(document.furrows && { furrows: document.furrows }),
     ...(document.shapes && { shapes: document.shapes }),
     ...shapesOf(document, keptNames),

@@ -1,3 +1,5 @@
+import { bytesLabel } from './project.ts'
+
 /** Fields and commands of a region, which the file calls an area. */
 export const REGION = {
   name: 'Name in the file',
@@ -12,5 +14,16 @@ export const REGION = {
   add: 'New region',
   addImage: 'Add from image…',
   paper: 'White = no wrinkles',
+  size: 'Region size',
   reset: 'Reset',
 } as const
+
+/** Returns the label of a square map's size: `128 x 128`. */
+export function sizeLabel(size: number): string {
+  return `${size} x ${size}`
+}
+
+/** Returns the sentences about the GPU memory of regions, bytes, and the most texels that a frame writes. */
+export function regionCostLabel({ bytes, texels }: { bytes: number; texels: number }): string {
+  return `Regions take ${bytesLabel(bytes)} on the GPU. When they change, a frame updates at most ${texels.toLocaleString('en')} of their texels.`
+}

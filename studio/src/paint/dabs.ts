@@ -1,5 +1,6 @@
 import type { GrayImage } from 'furrow'
 import { type Brush, checkBrush, falloff } from './brush.ts'
+import { dabRadius } from './dab-size.ts'
 import { visitFilled } from './fill.ts'
 import { checkPaintable, type PaintMap } from './paint-map.ts'
 import type { PaintSkin, SkinPoint } from './paint-skin.ts'
@@ -13,8 +14,6 @@ import { type Sight, VisiblePlaces } from './visible-places.ts'
  * border. This texel can be inside the radius even if the triangle is outside.
  */
 const PAD = 1
-/** Minimum radius in texels, so that the brush covers at least one texel. */
-const MIN_RADIUS = 1.25
 /** Cell width of the smoothing grid, as a fraction of the radius. */
 const CELL = 0.25
 /** Minimum cell width of the smoothing grid, texels. */
@@ -91,7 +90,7 @@ export class Dabs {
 
   /** Returns the radius of a dab at a point, millimetres. */
   radiusAt({ triangle }: SkinPoint): number {
-    return Math.max(this.#brush.radius, MIN_RADIUS * this.#map.texelSizes[triangle])
+    return dabRadius(this.#map, this.#brush, triangle)
   }
 
   /** Adds a dab and, if `mirror` is set, its mirror image. @param pressure pen pressure, 0..1. */

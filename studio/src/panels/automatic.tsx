@@ -8,6 +8,7 @@ import {
 } from '../document/document.ts'
 import { AUTOMATIC } from '../labels/automatic.ts'
 import { regionName } from '../labels/names.ts'
+import { sizeLabel } from '../labels/regions.ts'
 import { FileButton } from './controls/file-button.tsx'
 import { NumberSlider } from './controls/number-slider.tsx'
 import type { PanelModel } from './model.ts'
@@ -51,7 +52,7 @@ export function AutomaticWrinkles({ model }: { model: PanelModel }) {
           >
             {AUTO_SIZES.map((size) => (
               <option key={size} value={size}>
-                {size} x {size}
+                {sizeLabel(size)}
               </option>
             ))}
           </select>

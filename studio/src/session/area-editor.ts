@@ -1,6 +1,7 @@
 import { batch, computed, effect, type ReadonlySignal, type Signal, signal } from '@preact/signals'
 import type { GrayImage } from 'furrow'
 import { resampleGray } from 'furrow/internal'
+import { setAreaSize } from '../document/area-size.ts'
 import {
   type AreaFields,
   addArea,
@@ -132,6 +133,11 @@ export class AreaEditor {
     this.#edit(`Fill ${name} from an image`, (document) =>
       paintArea(document, name, resampleGray(weights, document.areaSize)),
     )
+  }
+
+  /** Resamples all areas to another width and height, texels, in one undo step. */
+  resize(size: number): void {
+    this.#edit(`Change the size of regions to ${size}`, (document) => setAreaSize(document, size))
   }
 
   remove(name: string): void {

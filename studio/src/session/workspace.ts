@@ -251,7 +251,7 @@ export class Workspace {
     settings: AutoSettings,
     images?: readonly AutoMaps<ImageFile>[],
   ): StudioDocument {
-    return automaticDocument(wrinkles, settings, this.#areaSize, this.#target, images)
+    return automaticDocument(wrinkles, settings, this.#target, images)
   }
 
   get #areaSize(): number {

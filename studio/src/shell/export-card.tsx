@@ -1,21 +1,28 @@
 import { useSignal } from '@preact/signals'
-import { WRINKLE_MAPS } from 'furrow/internal'
+import { DEFAULT_AREA_SIZE, WRINKLE_MAPS } from 'furrow/internal'
 import { useId } from 'preact/hooks'
+import { areaCost } from '../document/area-size.ts'
+import type { StudioDocument } from '../document/document.ts'
 import { PAGE } from '../labels/page.ts'
 import { EXPORT, exportedLabel, otherErrorsLabel } from '../labels/project.ts'
+import { REGION, regionCostLabel, sizeLabel } from '../labels/regions.ts'
 import { Check } from '../panels/controls/check.tsx'
 import type { PanelModel } from '../panels/model.ts'
 import type { ExportState } from '../session/exporting.ts'
 import { Icon } from '../ui/icon.tsx'
 import { Popover } from '../ui/popover.tsx'
 
-const CODE = `import { extendLoader } from 'furrow/three'
+/** Returns the code that loads a file. Loaders scale areas to 128 texels unless an option tells otherwise. */
+function codeFor(name: string, areaSize: number): string {
+  const options = areaSize > DEFAULT_AREA_SIZE ? `, { areaSize: ${areaSize} }` : ''
+  return `import { extendLoader } from 'furrow/three'
 
-extendLoader(loader)
-const { scene } = await loader.loadAsync('FILE')`
+extendLoader(loader${options})
+const { scene } = await loader.loadAsync('${name}')`
+}
 
 /** Button that exports the avatar and saves the file. Its card shows the progress, the size of the wrinkles, and code that loads the file. */
-export function ExportCard({ model }: { model: PanelModel }) {
+export function ExportCard({ model, document }: { model: PanelModel; document: StudioDocument }) {
   const { exporting, actions } = model
   const isCompressed = useSignal(false)
   const state = exporting.value
@@ -28,11 +35,23 @@ export function ExportCard({ model }: { model: PanelModel }) {
         <Check value={isCompressed} title={EXPORT.ktx2Hint}>
           {EXPORT.ktx2}
         </Check>
+        <RegionCost document={document} />
         {!state && <p class="hint">{EXPORT.hint}</p>}
-        {state?.kind === 'done' && <Done state={state} onCopy={actions.copyCode} />}
+        {state?.kind === 'done' && (
+          <Done state={state} areaSize={document.areaSize} onCopy={actions.copyCode} />
+        )}
       </Popover>
       {state?.kind === 'running' && <Running fraction={state.fraction} onCancel={actions.cancelExport} />}
     </div>
+  )
+}
+
+/** Size of the regions, and its cost. */
+function RegionCost({ document }: { document: StudioDocument }) {
+  return (
+    <p class="hint">
+      {REGION.size}: {sizeLabel(document.areaSize)}. {regionCostLabel(areaCost(document))}
+    </p>
   )
 }
 
@@ -50,11 +69,12 @@ function Running({ fraction, onCancel }: { fraction: number; onCancel(): void })
 }
 
 interface DoneProps {
+  areaSize: number
   state: ExportState & { kind: 'done' }
   onCopy(text: string): void
 }
 
-function Done({ state, onCopy }: DoneProps) {
+function Done({ state, areaSize, onCopy }: DoneProps) {
   const { bytes, findings, cost, warnings } = state.face
   const errors = findings.filter(({ severity }) => severity === 'error')
   const own = errors.filter(({ pointer }) => pointer?.includes(WRINKLE_MAPS))
@@ -76,7 +96,7 @@ function Done({ state, onCopy }: DoneProps) {
           ))}
         </ul>
       )}
-      <Code text={CODE.replace('FILE', state.name)} onCopy={onCopy} />
+      <Code text={codeFor(state.name, areaSize)} onCopy={onCopy} />
     </>
   )
 }

@@ -6,6 +6,7 @@ import { INSPECTOR, PLACES } from '../labels/page.ts'
 import { FILE } from '../labels/project.ts'
 import { Animation } from '../panels/animation.tsx'
 import { ChosenArea } from '../panels/areas/chosen-area.tsx'
+import { RegionSize } from '../panels/areas/region-size.tsx'
 import { AutomaticWrinkles } from '../panels/automatic.tsx'
 import { Section } from '../panels/controls/section.tsx'
 import { Drivers } from '../panels/drivers/drivers.tsx'
@@ -48,7 +49,12 @@ export function Inspector({ model }: { model: PanelModel }) {
       >
         {tab.value === 'look' && <Look selected={selected} model={model} />}
         {tab.value === 'when' && <When selected={selected} model={model} />}
-        {tab.value === 'maps' && <Layers model={model} shown={selected.layer} />}
+        {tab.value === 'maps' && (
+          <>
+            <Layers model={model} shown={selected.layer} />
+            <RegionSize model={model} />
+          </>
+        )}
       </Tabs>
     </>
   )

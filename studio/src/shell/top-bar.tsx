@@ -17,6 +17,7 @@ const MODE_OPTIONS = MODE_NAMES.map((value) => ({ value, label: MODES[value] }))
 export function TopBar({ model }: { model: PanelModel }) {
   const { session, tools, dialogs, actions } = model
   const { undoLabel, redoLabel } = session
+  const document = session.document.value
   return (
     <>
       <div class="bar">
@@ -27,7 +28,7 @@ export function TopBar({ model }: { model: PanelModel }) {
         <History label={FILE.redo} icon="redo" step={redoLabel.value} onPress={() => session.redo()} />
         <Modes mode={tools.mode.value} onChange={(mode) => tools.chooseMode(mode)} />
         <ShareCard actions={actions} />
-        {session.document.value && <ExportCard model={model} />}
+        {document && <ExportCard model={model} document={document} />}
         <button
           type="button"
           class="plain keys"

@@ -117,7 +117,7 @@ export class TextureView {
         skin && document
           ? document.strokes.map((stroke) => this.#linesOn(skin, document.areaSize).lineOf(stroke))
           : [],
-      outline: hit && skin ? brushOutline(skin, hit.triangle, hit.uv, painting.brush.peek().radius) : null,
+      outline: hit && skin ? brushOutline(skin, hit.triangle, hit.uv, painting.ringRadius(hit)) : null,
     })
     this.#edited.draw(context, this.#size, this.#camera.frame)
   }

@@ -7,6 +7,7 @@ import type { StudioDocument } from '../document/document.ts'
 import { runInTurn } from '../later.ts'
 import type { OpenedAvatar } from '../open/avatar.ts'
 import { BRUSH_DEFAULTS, BRUSH_RADII, type Brush } from '../paint/brush.ts'
+import { visibleRadius } from '../paint/dab-size.ts'
 import { mirrorWeights } from '../paint/mirror-weights.ts'
 import type { PaintSkin } from '../paint/paint-skin.ts'
 import type { SkinHit, SkinPicker } from '../paint/picker.ts'
@@ -270,7 +271,13 @@ export class Painting {
       return
     }
     const { point, normal } = hit
-    this.#ring.show(point, normal, this.brush.peek().radius / document.scale, viewer.stage.camera)
+    this.#ring.show(point, normal, this.ringRadius(hit) / document.scale, viewer.stage.camera)
+  }
+
+  /** Returns the radius of the brush outline at a point of the skin, millimetres. It shows the true size of a dab, also where texels are large. */
+  ringRadius({ triangle }: Pick<SkinHit, 'triangle'>): number {
+    const [brush, size] = [this.brush.peek(), this.#parts.session.document.peek()?.areaSize]
+    return this.skin && size ? visibleRadius(this.skin.mapOf(size), brush, triangle) : brush.radius
   }
 
   #onKey(event: KeyboardEvent): void {

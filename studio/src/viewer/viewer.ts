@@ -8,10 +8,12 @@ import {
   type Layer,
   type WrinkleDriver,
 } from 'furrow'
+import { DEFAULT_AREA_SIZE } from 'furrow/internal'
 import { addArea, removeArea, type WrinkleMode } from 'furrow/three'
 import type { Mesh, Object3D } from 'three'
 import type { Face } from '../../../stage/face.ts'
 import type { RendererKind, Stage, Wrinkles } from '../../../stage/stage.ts'
+import { AREA_SIZES } from '../document/area-size.ts'
 import { faceOf, type OpenedAvatar } from '../open/avatar.ts'
 import { releaseFromGPU } from '../open/release.ts'
 import type { CanvasStage } from './canvas-stage.ts'
@@ -118,7 +120,8 @@ export class Viewer {
     this.#addMuscles(wrinkles?.drivers ?? [])
     try {
       // Disable relief, because it draws another mesh instead of the skin. Looks, lines and brushes work only on the skin.
-      if (wrinkles) this.#wrinkles = this.stage.addWrinkles(this.#face, wrinkles, { relief: 'off' })
+      const options = { relief: 'off', areaSize: areaSizeOf(wrinkles?.set.areas ?? []) } as const
+      if (wrinkles) this.#wrinkles = this.stage.addWrinkles(this.#face, wrinkles, options)
     } catch (error) {
       this.#error = error as Error
     }
@@ -300,6 +303,12 @@ function onsetsOf(layers: readonly Layer<ArraySlice>[]): ReadonlyMap<string, Gra
       onset && 'data' in onset ? [[name, onset]] : [],
     ),
   )
+}
+
+/** Returns the size at which the stage shows areas, texels: that of the largest area, from 128 to 512. */
+function areaSizeOf(areas: readonly Area<ArraySlice>[]): number {
+  const sizes = areas.map(({ weights }) => ('data' in weights ? weights.width : 0))
+  return Math.min(AREA_SIZES.at(-1)!, Math.max(DEFAULT_AREA_SIZE, ...sizes))
 }
 
 function noWrinklesError(area: string): FurrowError {

@@ -24,7 +24,7 @@ beforeAll(async () => {
   const { skin } = findSkin(await readDocument(path, 'test'), path, 'test')
   const wrinkles = autoWrinkles(skin, { ...SETTINGS, areaSize: AREA })
   const images = autoMaps(wrinkles).map(async ({ blood }) => ({ blood: await fileOf(blood) }))
-  document = automaticDocument(wrinkles, SETTINGS, AREA, {}, await Promise.all(images))
+  document = automaticDocument(wrinkles, SETTINGS, {}, await Promise.all(images))
   const drawn = new Map(wrinkles.layers.map(({ name, ...maps }) => [name, maps]))
   files = projectFiles({ document, drawn })
   packed = await packAuto(wrinkles, false, 'test')
