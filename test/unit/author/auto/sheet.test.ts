@@ -54,7 +54,7 @@ describe.each([
     const skin = { positions, uvs, indices, targets: [] }
     const locator = new UvLocator(skin, surface)
     const { creases, compression } = creaseLines(
-      { skin, surface, locator, isDrawn: () => true },
+      { surface, locator, isDrawn: () => true },
       { name: 'sheet', spacing, creasedFraction: 1, maxDepth: Infinity },
       lines,
       { strength: 1, symmetry: 0 },

@@ -2,7 +2,7 @@ import { PointGrid } from '../../../math/point-grid.ts'
 import { cross, dot } from '../../../math/vector.ts'
 import { cornersOf, type SkinSurface, type SurfacePoint } from '../../skin/surface.ts'
 import type { LineStyle } from '../anatomy/region.ts'
-import { principalAt } from '../strain/principal.ts'
+import { type PrincipalCompression, principalAt } from '../strain/principal.ts'
 import { hasTensor } from '../surface/tensors.ts'
 import type { LaidLine } from './laid-line.ts'
 import { type DirectionField, STEP, type Trace, traceLine } from './trace.ts'
@@ -24,28 +24,49 @@ export interface FreeLineSettings {
   /** Maximum total length of lines in millimetres. The most compressed skin gets lines first. */
   maxTotalLength: number
   style: LineStyle
+  /** Returns a factor on the distance to the next line. Default: 1. */
+  spacingFactor?: () => number
 }
 
+/** Returns the direction of creases, and the compression across them, at a position in a triangle. */
+export type CreaseField = (triangle: number, barycentrics: ArrayLike<number>) => PrincipalCompression
+
 /**
- * Lays evenly spaced lines on skin whose anatomy is not known (Jobard and Lefer 1997, Creating evenly-spaced streamlines of arbitrary
- * density). The lines are perpendicular to the direction of maximum compression. The first line starts where the compression is largest.
+ * Lays evenly spaced lines on skin whose anatomy is not known. The lines are perpendicular to the direction of maximum compression. The first
+ * line starts where the compression is largest.
  *
  * @param tensors result of `compressionTensors` for the pose that compresses the skin.
  */
 export function layFreeLines(
   surface: SkinSurface,
   tensors: Float64Array,
-  { spacing, minCompression, maxTotalLength, style }: FreeLineSettings,
+  settings: FreeLineSettings,
+): LaidLine[] {
+  const fieldAt: CreaseField = (triangle, barycentrics) =>
+    principalAt(surface, tensors, triangle, barycentrics)
+  return layLinesAlong(surface, fieldAt, mostCompressed(surface, tensors, settings.minCompression), settings)
+}
+
+/**
+ * Lays evenly spaced lines along a field of creases (Jobard and Lefer 1997, Creating evenly-spaced streamlines of arbitrary density).
+ *
+ * @param first starting points. Lines beside a line precede the next starting point.
+ */
+export function layLinesAlong(
+  surface: SkinSurface,
+  fieldAt: CreaseField,
+  first: readonly SurfacePoint[],
+  { spacing, minCompression, maxTotalLength, style, spacingFactor = () => 1 }: FreeLineSettings,
 ): LaidLine[] {
   const occupied = new PointGrid(spacing)
   const lines: LaidLine[] = []
   let left = maxTotalLength
   // The array is reversed so that seeds can be taken from its end: taking the first element of a long array is slow.
-  const seeds = mostCompressed(surface, tensors, minCompression).reverse()
+  const seeds = first.toReversed()
   const isFree = (position: ArrayLike<number>) => occupied.distance(position) > MIN_DISTANCE * spacing
   for (let seed = seeds.pop(); seed; seed = seeds.pop()) {
     if (occupied.distance(seed.position) < START_DISTANCE * spacing) continue
-    const { path, ...line } = traceBothWays(surface, tensors, seed, minCompression, isFree)
+    const { path, ...line } = traceBothWays(surface, fieldAt, seed, minCompression, isFree)
     const length = path.length * STEP
     if (length < MIN_LENGTH * spacing) continue
     if (length > left) break
@@ -53,7 +74,7 @@ export function layFreeLines(
     occupied.add(line.points)
     lines.push({ style, ...line })
     // Continue with lines beside this line before starting elsewhere.
-    seeds.push(...seedsBeside(surface, tensors, path, spacing).reverse())
+    seeds.push(...seedsBeside(surface, fieldAt, path, spacing, spacingFactor).reverse())
   }
   return lines
 }
@@ -81,12 +102,12 @@ interface Streamline extends Trace {
 
 function traceBothWays(
   surface: SkinSurface,
-  tensors: Float64Array,
+  fieldAt: CreaseField,
   seed: SurfacePoint,
   minCompression: number,
   isFree: (position: ArrayLike<number>) => boolean,
 ): Omit<LaidLine, 'style'> & { path: SurfacePoint[] } {
-  const traceOneWay = (sign: number) => traceStreamline(surface, tensors, seed, sign, minCompression, isFree)
+  const traceOneWay = (sign: number) => traceStreamline(surface, fieldAt, seed, sign, minCompression, isFree)
   const [backward, forward] = [traceOneWay(-1), traceOneWay(1)]
   return {
     points: Float64Array.from([...reversed(backward.points), ...forward.points.slice(3)]),
@@ -98,7 +119,7 @@ function traceBothWays(
 
 function traceStreamline(
   surface: SkinSurface,
-  tensors: Float64Array,
+  fieldAt: CreaseField,
   seed: SurfacePoint,
   sign: number,
   minCompression: number,
@@ -108,7 +129,7 @@ function traceStreamline(
   const path: SurfacePoint[] = []
   const orient = consistentSign(sign)
   const field: DirectionField = (position, _, triangle, barycentrics, out) => {
-    const { direction, compression } = principalAt(surface, tensors, triangle, barycentrics)
+    const { direction, compression } = fieldAt(triangle, barycentrics)
     compressions.push(compression)
     path.push({ triangle, position: [position[0], position[1], position[2]] })
     orient(direction, out)
@@ -119,12 +140,13 @@ function traceStreamline(
   return { points, triangles, compressions: compressions.slice(0, count), path: path.slice(0, count) }
 }
 
-/** Returns starting points for further lines, at a distance of one spacing on both sides of a line. */
+/** Returns starting points for further lines, at a distance of about one spacing on both sides of a line. */
 function seedsBeside(
   surface: SkinSurface,
-  tensors: Float64Array,
+  fieldAt: CreaseField,
   path: readonly SurfacePoint[],
   spacing: number,
+  spacingFactor: () => number,
 ): SurfacePoint[] {
   const seeds: SurfacePoint[] = []
   const across = new Float64Array(3)
@@ -134,12 +156,12 @@ function seedsBeside(
       const orient = consistentSign(sign)
       let last: SurfacePoint | undefined
       const field: DirectionField = (position, normal, triangle, barycentrics, out) => {
-        cross(across, normal, principalAt(surface, tensors, triangle, barycentrics).direction)
+        cross(across, normal, fieldAt(triangle, barycentrics).direction)
         orient(across, out)
         last = { triangle, position: [position[0], position[1], position[2]] }
         return true
       }
-      traceLine(surface, path[i], field, spacing)
+      traceLine(surface, path[i], field, spacing * spacingFactor())
       if (last) seeds.push(last)
     }
   }

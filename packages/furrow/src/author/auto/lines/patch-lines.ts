@@ -62,11 +62,11 @@ function areaNameOf(target: string): string {
 }
 
 /** Returns a random variation of the line style, because lines of equal depth and width look like stripes. */
-function variedStyle(rng: Rng): LineStyle {
+export function variedStyle(rng: Rng, width = STYLE.width): LineStyle {
   const fade = () => rng.uniform(0.3, 0.5)
   return {
     ...STYLE,
-    width: STYLE.width * rng.uniform(0.85, 1.1),
+    width: width * rng.uniform(0.85, 1.1),
     depth: rng.uniform(0.7, 1),
     taper: [fade(), fade()],
   }

@@ -8,7 +8,7 @@ import type { LaidLine } from './laid-line.ts'
 import { STEP } from './trace.ts'
 
 /** Parts of a prepared skin that are needed to convert lines to strokes. */
-export type StrokedSkin = Pick<PreparedSkin, 'skin' | 'surface' | 'locator' | 'isDrawn'>
+export type StrokedSkin = Pick<PreparedSkin, 'surface' | 'locator' | 'isDrawn'>
 
 /** Maximum distance in millimetres between a stroke and its line. */
 const TOLERANCE = 0.08
