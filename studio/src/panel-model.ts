@@ -2,6 +2,7 @@ import type { ReadonlySignal } from '@preact/signals'
 import type { Downloads } from './downloads.ts'
 import { filesOfInput } from './files/dropped-files.ts'
 import type { Hints } from './first/hints.ts'
+import type { FillOffer } from './lines/fill-offer.ts'
 import type { Lines } from './lines/lines.ts'
 import type { PageLink } from './link/page-link.ts'
 import type { Messages } from './messages.ts'
@@ -31,6 +32,7 @@ export interface PanelParts {
   layers: LayerEditor
   shapes: ShapeEditor
   painting: Painting
+  fill: FillOffer
   tools: ToolChoice
   opening: Opening
   host: ViewerHost
@@ -43,7 +45,8 @@ export interface PanelParts {
 }
 
 export function panelModel(parts: PanelParts): PanelModel {
-  const { workspace, saving, face, lines, areas, faceAreas, images, layers, shapes, painting, tools } = parts
+  const { workspace, saving, face, lines, areas, faceAreas, images, layers, shapes, painting, fill, tools } =
+    parts
   const { opening, host, downloads, link, messages, faces, dialogs, hints } = parts
   const { session, automatic, exporting, keeping, settings } = workspace
   const { viewer, frame, revision, expression, hovered, staging, player, meshes, pictures } = face
@@ -55,6 +58,7 @@ export function panelModel(parts: PanelParts): PanelModel {
     layers,
     shapes,
     painting,
+    fill,
     tools,
     auto: settings,
     autoRun: automatic.run,

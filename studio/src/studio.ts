@@ -11,6 +11,7 @@ import { type Place, Resume } from './first/resume.ts'
 import { Reveal } from './first/reveal.ts'
 import { keepFocus } from './keep-focus.ts'
 import { nextTask } from './later.ts'
+import { FillOffer } from './lines/fill-offer.ts'
 import { Lines } from './lines/lines.ts'
 import { PageLink } from './link/page-link.ts'
 import { Loading } from './loading.ts'
@@ -154,6 +155,13 @@ export class Studio {
       host: tools,
       stage: page.stage,
       wake,
+      onPainted: (area) => fill.painted(area),
+      attempt,
+    })
+    const fill = new FillOffer({
+      session,
+      areas,
+      canvas: async () => (await this.#lines.readySkin())?.canvas ?? null,
       attempt,
     })
     const pointer = new FacePointer({
@@ -210,6 +218,7 @@ export class Studio {
         layers,
         shapes: new ShapeEditor(session, this.#workspace.source),
         painting: this.#painting,
+        fill,
         tools: this.#tools,
         opening: this.#opening,
         host: this.#host,

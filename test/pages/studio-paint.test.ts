@@ -146,6 +146,17 @@ test('a muted area is hidden in the picture, and stays in the document', async (
   expect(await meanPngDifference(before, await shootAside(page))).toBeGreaterThan(0.05)
 })
 
+test('painted skin without lines can be filled with lines', async () => {
+  await button(page, 'New region').click()
+  await chooseTool(page, 'Paint')
+  await stroke()
+  await page.mouse.up()
+  const card = page.getByRole('region', { name: 'Fill with lines' })
+  await card.getByRole('button', { name: 'Fill with lines' }).click()
+  await undoIs(page, 'Fill area with lines')
+  expect(await card.count()).toBe(0)
+})
+
 /** Drags the mouse over the cheek in small steps, like a hand. */
 async function stroke(): Promise<void> {
   await page.mouse.move(cheek.x, cheek.y)

@@ -157,6 +157,15 @@ export function areaOf(driver: WrinkleDriver): string | undefined {
   return 'area' in driver && typeof driver.area === 'string' ? driver.area : undefined
 }
 
+/** Whether an area is visible at rest, or a driver activates it. */
+export function isActivated(
+  { areas, drivers }: Pick<StudioDocument, 'areas' | 'drivers'>,
+  name: string,
+): boolean {
+  const isAtRest = areas.some((area) => area.name === name && area.activation > 0)
+  return isAtRest || drivers.some((driver) => areaOf(driver) === name)
+}
+
 function rounded(weight: number): number {
   return Number(weight.toPrecision(4))
 }

@@ -1,6 +1,6 @@
 import { addArea } from './areas.ts'
 import type { ImageFile, MapName, StudioDocument } from './document.ts'
-import { areaOf } from './drivers.ts'
+import { isActivated } from './drivers.ts'
 import { type LayerFields, setLayer, setMap } from './layers.ts'
 import { freeName } from './names.ts'
 
@@ -36,11 +36,10 @@ export function importMap(
 }
 
 /** Whether an area that is not empty shows a layer, at rest or by a driver. */
-function isShown({ areas, drivers }: StudioDocument, layer: string): boolean {
-  const driven = new Set(drivers.map(areaOf))
-  return areas.some(
-    ({ name, layer: own, activation, weights }) =>
-      own === layer && (activation > 0 || driven.has(name)) && weights.data.some((weight) => weight > 0),
+function isShown(document: StudioDocument, layer: string): boolean {
+  return document.areas.some(
+    ({ name, layer: own, weights }) =>
+      own === layer && isActivated(document, name) && weights.data.some((weight) => weight > 0),
   )
 }
 

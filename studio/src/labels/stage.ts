@@ -51,6 +51,9 @@ export const CARD = {
   shows: 'When does this wrinkle show?',
   always: 'Always',
   inPose: 'With this expression',
+  noLines: 'This region has no lines.',
+  fill: 'Fill with lines',
+  notNow: 'Not now',
   noPose: 'To show it with an expression, press one first.',
 } as const
 

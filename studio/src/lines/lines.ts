@@ -194,30 +194,44 @@ export class Lines {
     })
   }
 
+  /** Returns the skin of the current face, and prepares it if needed. Rejects with a FurrowError if it cannot be painted. */
+  async readySkin(): Promise<LineSkin | null> {
+    await this.#read()
+    return this.#skin.peek()
+  }
+
   /** Reads the skin of the current face when line editing begins, or when the skin, scale or area size changes later. */
   #readSkin(): void {
     const { session, viewer, attempt } = this.#parts
-    const document = session.document.value
-    const avatar = viewer.value?.avatar
+    session.document.value
+    viewer.value
     const mode = this.editor.mode.value
     if (mode === 'off' || (mode === 'select' && !this.#isPointed.value)) return
+    const before = this.#reading
+    const reading = this.#read()
+    if (reading && reading !== before) void attempt(() => reading)
+  }
+
+  /** Reads the skin of the current face, unless it is known. Returns a promise that resolves when it is known, or null. */
+  #read(): Promise<void> | null {
+    const [document, avatar] = [this.#parts.session.document.peek(), this.#parts.viewer.peek()?.avatar]
     const skin = avatar?.skins[avatar.skin]
     const source = [skin, document?.scale, document?.areaSize]
-    if (source.every((value, i) => value === this.#source[i])) return
+    if (source.every((value, i) => value === this.#source[i])) return this.#reading
     this.#source = source
     this.#skin.value = null
     this.#reading = null
-    if (!skin || !document) return
+    if (!skin || !document) return null
     const { scale, areaSize } = document
-    const reading = readLineSkin(skin.meshes, scale, areaSize).then((own) => {
-      if (reading === this.#reading) this.#skin.value = own
-    })
-    this.#reading = reading
-    void attempt(() =>
-      reading.finally(() => {
+    const reading = readLineSkin(skin.meshes, scale, areaSize)
+      .then((own) => {
+        if (reading === this.#reading) this.#skin.value = own
+      })
+      .finally(() => {
         if (reading === this.#reading) this.#reading = null
-      }),
-    )
+      })
+    this.#reading = reading
+    return reading
   }
 }
 

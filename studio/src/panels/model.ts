@@ -6,6 +6,7 @@ import type { AutoSettings } from '../document/document.ts'
 import type { ExportOptions } from '../export/export-document.ts'
 import type { Hints } from '../first/hints.ts'
 import type { ProjectEntry } from '../keep/project-store.ts'
+import type { FillOffer } from '../lines/fill-offer.ts'
 import type { LineEditor } from '../lines/line-editor.ts'
 import type { AreaEditor } from '../session/area-editor.ts'
 import type { AutoRun } from '../session/automatic.ts'
@@ -43,6 +44,8 @@ export interface PanelModel {
   readonly layers: LayerEditor
   readonly shapes: ShapeEditor
   readonly painting: Painting
+  /** Offer to fill painted skin with lines. */
+  readonly fill: FillOffer
   readonly tools: ToolChoice
   /** Names of the shipped faces. */
   readonly faces: ReadonlySignal<readonly string[]>

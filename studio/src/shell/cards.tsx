@@ -17,6 +17,7 @@ export function Cards({ model }: { model: PanelModel }) {
   return (
     <>
       {!isSmallPage.value && <SelectionCard model={model} />}
+      <FillCard fill={model.fill} />
       {kind === 'area' && name !== undefined && <Reasons area={name} model={model} />}
     </>
   )
@@ -37,6 +38,26 @@ export function SelectionCard({ model }: { model: PanelModel }) {
     <Frame selected={selected} model={model}>
       <LineCard model={model} />
     </Frame>
+  )
+}
+
+/** Offer to fill a region with lines that the user has painted. */
+function FillCard({ fill }: Pick<PanelModel, 'fill'>) {
+  if (fill.offered.value === null) return null
+  return (
+    <section class="card" aria-label={CARD.fill}>
+      <p class="hint" role="status">
+        {CARD.noLines}
+      </p>
+      <div class="work">
+        <button type="button" onClick={() => fill.fill()}>
+          {CARD.fill}
+        </button>
+        <button type="button" onClick={() => fill.refuse()}>
+          {CARD.notNow}
+        </button>
+      </div>
+    </section>
   )
 }
 

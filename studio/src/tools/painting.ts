@@ -50,6 +50,8 @@ export interface PaintingParts {
   stage: HTMLElement
   /** Requests the next frame. */
   wake(): void
+  /** Called when the user has added skin to an area. */
+  onPainted(area: string): void
   /** Runs a task and shows its errors. */
   attempt(task: () => unknown): unknown
 }
@@ -222,6 +224,8 @@ export class Painting {
 
   #keep(area: string, weights: GrayImage): void {
     this.#parts.session.edit(`Paint ${area}`, (old) => paintArea(old, area, weights))
+    const { mode } = this.brush.peek()
+    if (mode === 'add' || mode === 'fill') this.#parts.onPainted(area)
   }
 
   #targetOnFace(): PaintTarget | null {
