@@ -81,7 +81,7 @@ export function panelModel(parts: PanelParts): PanelModel {
     actions: {
       attempt: (task) => void messages.attempt(task),
       openFiles: (files) => opening.openFiles(async () => filesOfInput(files)),
-      openFace: (name) => opening.open(opening.faceLoader(name)),
+      openFace: (name) => opening.openFace(name),
       chooseSkin: (skin) => opening.open(async (shown) => ({ ...shown!, skin })),
       setRenderer: (kind) => {
         face.settle()

@@ -10,6 +10,7 @@ import { Hints } from './first/hints.ts'
 import { type Place, Resume } from './first/resume.ts'
 import { Reveal } from './first/reveal.ts'
 import { keepFocus } from './keep-focus.ts'
+import { moreLabel, PAGE } from './labels/page.ts'
 import { nextTask } from './later.ts'
 import { FillOffer } from './lines/fill-offer.ts'
 import { Lines } from './lines/lines.ts'
@@ -70,7 +71,7 @@ export class Studio {
 
   constructor(page: Page) {
     this.#page = page
-    const messages = new Messages(page.errors, page.notes)
+    const messages = new Messages(page.errors, page.notes, { dismiss: PAGE.dismiss, more: moreLabel })
     const loading = new Loading(page)
     const dialogs = { shortcuts: signal(false), preferences: signal(false) }
     this.#messages = messages

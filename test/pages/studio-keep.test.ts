@@ -285,6 +285,15 @@ test('a tab says that another tab has its project open, and can keep a copy or t
   await second.close()
 })
 
+test('the message about another tab goes when that tab closes the project', async () => {
+  const second = await openStudio(address)
+  await openRecent(second, /^plain/)
+  await second.getByText('Open in another tab').waitFor()
+  await page.goto('about:blank')
+  await second.getByText('Kept in this browser').waitFor()
+  await second.close()
+})
+
 test('the built page works without a network', async () => {
   const dist = join(folder, 'dist')
   // Builds in a separate process, because NODE_ENV is `test` in this one.

@@ -27,6 +27,12 @@ export async function takeLock(id: string): Promise<ProjectLock> {
   }
 }
 
+/** Resolves when no tab holds the lock of a project, or when `signal` is aborted. */
+export async function whenFree(id: string, signal: AbortSignal): Promise<void> {
+  // A shared lock is granted when the other tab releases the exclusive one.
+  await navigator.locks.request(nameOf(id), { mode: 'shared', signal }, () => {}).catch(() => {})
+}
+
 async function request(id: string, options: LockOptions): Promise<ProjectLock | undefined> {
   // Insecure pages have no Web Locks API. Two tabs can then open the same project.
   if (globalThis.navigator?.locks === undefined) {

@@ -88,19 +88,25 @@ export class ProjectStore {
     const lock = await (take ? takeLock(id) : lockProject(id))
     try {
       return await this.#database.read(async (database) => {
-        const transaction = database.transaction(['projects', 'documents', 'images', 'files'])
-        const [project, record, numbers, images, files] = await Promise.all([
+        const transaction = database.transaction(['projects', 'documents', 'images', 'files', 'saves'])
+        const [project, record, numbers, images, files, save] = await Promise.all([
           transaction.objectStore('projects').get(id),
           transaction.objectStore('documents').get(id),
           transaction.objectStore('images').getAllKeys(rangeOf(id)),
           transaction.objectStore('images').getAll(rangeOf(id)),
           transaction.objectStore('files').getAll(rangeOf(id)),
+          transaction.objectStore('saves').get(id),
         ])
         const name = nameOf(project)
         const byNumber = new Map(numbers.map(([, number], i) => [number, images[i]]))
         const document = documentOf(record, byNumber, name)
         const stored = { images: new Map(numbers.map(([, number], i) => [images[i], number])), by: database }
-        return new Project(this.#database, { id, name, files }, { document, stored }, lock)
+        return new Project(
+          this.#database,
+          { id, name, files },
+          { document, stored, saved: save?.changed },
+          lock,
+        )
       })
     } catch (error) {
       await lock?.release()

@@ -9,7 +9,7 @@ import {
   type WritableTable,
 } from './database.ts'
 import { type ImageRecord, imagesOf, recordOf } from './document-record.ts'
-import type { ProjectLock } from './project-lock.ts'
+import { lockProject, type ProjectLock, whenFree } from './project-lock.ts'
 
 /** Integer key of each image in the database. */
 type Numbers = ReadonlyMap<ImageRecord, number>
@@ -30,17 +30,20 @@ export class Project {
   readonly opened: StudioDocument
   readonly #name: string
   readonly #database: Database
-  readonly #lock: ProjectLock | undefined
+  #lock: ProjectLock | undefined
   #stored: Stored | undefined
+  /** Time of the last save that this tab knows, milliseconds. Undefined before the first save. */
+  #saved: number | undefined
 
   /**
    * @param opened.stored images in the database, absent for a new project.
+   * @param opened.saved time of the last save, absent for a new project.
    * @param lock lock of the project, or undefined if another tab holds it.
    */
   constructor(
     database: Database,
     { id, name, files }: { id: string; name: string; files: readonly AvatarFile[] },
-    { document, stored }: { document: StudioDocument; stored?: Stored },
+    { document, stored, saved }: { document: StudioDocument; stored?: Stored; saved?: Date | undefined },
     lock: ProjectLock | undefined,
   ) {
     this.id = id
@@ -50,6 +53,7 @@ export class Project {
     this.#database = database
     this.#lock = lock
     this.#stored = stored
+    this.#saved = saved?.getTime()
   }
 
   /**
@@ -77,6 +81,7 @@ export class Project {
     const stored = this.#stored?.by === connection ? this.#stored.images : undefined
     const images = numbered(imagesOf(document), stored ?? new Map())
     const record = stored ? undefined : await this.#record()
+    const changed = new Date()
     await this.#database.write((table) => {
       if (record) this.#writeFiles(table, record)
       writeImages(table('images'), this.id, stored ?? new Map(), images)
@@ -84,10 +89,36 @@ export class Project {
         recordOf(document, (image) => images.get(image)!),
         this.id,
       )
-      const save: SaveRecord = { changed: new Date(), bytes: this.#bytesOf(document) }
+      const save: SaveRecord = { changed, bytes: this.#bytesOf(document) }
       table('saves').put(save, this.id)
     })
     this.#stored = { images, by: connection }
+    this.#saved = changed.getTime()
+  }
+
+  /**
+   * Waits until no other tab holds the project's lock, and takes the lock if no other tab has saved the project meanwhile. Then `isReadOnly` is
+   * false. Returns whether another tab has saved the project.
+   *
+   * @param signal ends the wait.
+   */
+  async reclaim(signal: AbortSignal): Promise<boolean> {
+    while (!signal.aborted) {
+      await whenFree(this.id, signal)
+      const lock = signal.aborted ? undefined : await lockProject(this.id)
+      // A third tab may have been faster.
+      if (!lock) continue
+      const save = await this.#database
+        .read((database) => database.get('saves', this.id))
+        .catch(() => undefined)
+      if (save?.changed.getTime() === this.#saved && !signal.aborted) {
+        this.#lock = lock
+        return false
+      }
+      await lock.release()
+      return true
+    }
+    return false
   }
 
   async setThumbnail(thumbnail: Blob): Promise<void> {

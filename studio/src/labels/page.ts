@@ -4,6 +4,7 @@ export const PAGE = {
   mode: 'Mode',
   tools: 'Tools',
   cancel: 'Cancel',
+  dismiss: 'Dismiss',
 } as const
 
 export const MODES = {
@@ -83,6 +84,11 @@ export const INSPECTOR = {
 /** Returns the name of the button that shows or hides a mesh, for screen readers. */
 export function showMeshLabel(mesh: string): string {
   return `Show ${mesh}`
+}
+
+/** Returns the label of older messages that are not shown: `and 2 more`. */
+export function moreLabel(count: number): string {
+  return `and ${count} more`
 }
 
 /** Returns the tooltip of a button for undo or redo: `Undo: Depth`. @param step step that the button reverts or repeats. */

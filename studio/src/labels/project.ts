@@ -32,6 +32,7 @@ export const KEEPING = {
   saveToOtherFolder: 'Save to another folder…',
   kept: 'Kept in this browser',
   elsewhere: 'Open in another tab. Changes in this tab are not kept.',
+  newer: 'Another tab has kept a newer version. Changes in this tab are not kept.',
   keepCopy: 'Keep a copy',
   takeOver: 'Go on here',
 } as const

@@ -6,8 +6,11 @@ import type { ProjectStore } from '../keep/project-store.ts'
 import type { OpenedAvatar } from '../open/avatar.ts'
 import type { Session } from './session.ts'
 
-/** State of saving. `elsewhere` means that another tab has the project open and saves it. */
-export type KeepState = SaveState | { readonly kind: 'elsewhere' }
+/**
+ * State of saving. `elsewhere` means that another tab has the project open and saves it, `newer` that another tab has saved it and then closed it.
+ * This tab does not save in these states.
+ */
+export type KeepState = SaveState | { readonly kind: 'elsewhere' | 'newer' }
 
 /** Saves the document of one avatar to its project. Creates a project at the first change if there is none. */
 export class Keeper {
@@ -15,7 +18,9 @@ export class Keeper {
   readonly #avatar: OpenedAvatar
   readonly #document: ReadonlySignal<StudioDocument | null>
   readonly #autosave = signal<AutoSave | null>(null)
-  readonly #isElsewhere = signal(false)
+  readonly #blocked = signal<'elsewhere' | 'newer' | null>(null)
+  /** Ends the wait for the other tab. */
+  #waiting = new AbortController()
   readonly #onCreate: () => void
   readonly #stopWatching: () => void
   readonly #kept = signal<Project | null>(null)
@@ -45,7 +50,7 @@ export class Keeper {
 
   /** State of saving, or null while there is nothing to save. */
   readonly state: ReadonlySignal<KeepState | null> = computed(() =>
-    this.#isElsewhere.value ? { kind: 'elsewhere' } : (this.#autosave.value?.state.value ?? null),
+    this.#blocked.value ? { kind: this.#blocked.value } : (this.#autosave.value?.state.value ?? null),
   )
 
   /** Project, or null before the first change. */
@@ -70,8 +75,9 @@ export class Keeper {
     const document = this.#document.peek()
     if (!document) return
     const copy = await this.#create(document)
+    this.#waiting.abort()
     await this.#kept.peek()?.close()
-    this.#isElsewhere.value = false
+    this.#blocked.value = null
     this.#follow(copy)
     this.#onCreate()
   }
@@ -79,6 +85,7 @@ export class Keeper {
   /** Saves pending changes and releases the project for other tabs. */
   async close(): Promise<void> {
     this.#stopWatching()
+    this.#waiting.abort()
     await this.#autosave.peek()?.dispose()
     this.#autosave.value = null
     await this.#kept.peek()?.close()
@@ -87,20 +94,38 @@ export class Keeper {
   #follow(project: Project): void {
     this.#kept.value = project
     if (project.isReadOnly) {
-      this.#isElsewhere.value = true
+      void this.#wait(project)
       return
     }
     this.#save(project.opened)
     project.onRequested(() => void this.#handOver(project))
   }
 
+  /** Waits until the other tab closes the project, and then saves it again, unless the other tab has changed it. */
+  async #wait(project: Project): Promise<void> {
+    this.#blocked.value = 'elsewhere'
+    this.#waiting.abort()
+    this.#waiting = new AbortController()
+    const { signal } = this.#waiting
+    const isNewer = await project.reclaim(signal)
+    if (signal.aborted) {
+      if (!project.isReadOnly) await project.close()
+      return
+    }
+    this.#blocked.value = isNewer ? 'newer' : null
+    if (isNewer) return
+    this.#save(null)
+    project.onRequested(() => void this.#handOver(project))
+  }
+
   /** Saves the project and hands it over to another tab. */
   async #handOver(project: Project): Promise<void> {
-    this.#isElsewhere.value = true
+    this.#blocked.value = 'elsewhere'
     const autosave = this.#autosave.peek()
     this.#autosave.value = null
     await autosave?.dispose()
     await project.close()
+    await this.#wait(project)
   }
 
   /** Saves each change from now on. @param saved document that the project already contains, or null. */

@@ -52,8 +52,13 @@ export class Opening {
     }
   }
 
-  openProject(id: string): Promise<unknown> {
-    return this.open(() => this.#projectOf(id))
+  /** Opens a face from the server, as the user wants. */
+  openFace(name: string): Promise<void> {
+    return this.#parts.messages.attemptOpening(() => this.open(this.faceLoader(name)))
+  }
+
+  openProject(id: string): Promise<void> {
+    return this.#parts.messages.attemptOpening(() => this.open(() => this.#projectOf(id)))
   }
 
   /** Takes the project over from another tab, which saves it first. */
@@ -71,7 +76,7 @@ export class Opening {
    */
   async openFiles(list: () => Promise<DroppedFile[]>): Promise<void> {
     const { messages, loading, askImages, onDropped } = this.#parts
-    await messages.attempt(async () => {
+    await messages.attemptOpening(async () => {
       const dropped = await sortFiles(await list())
       if (dropped.kind === 'areas') return askImages(dropped.images.map(({ file }) => file))
       if (dropped.kind === 'captures') return this.#addCapture(dropped.tables)

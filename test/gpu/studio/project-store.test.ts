@@ -335,6 +335,20 @@ describe('two tabs with one project', () => {
     await second.close()
   })
 
+  it.each([false, true])(
+    'let the second tab save once the first has closed it, unless it saved: %s',
+    async (isSaved) => {
+      const first = await create(openStore())
+      const second = await openStore().open(first.id)
+      const waiting = second.reclaim(new AbortController().signal)
+      if (isSaved) await first.save(removeArea(document, 'frown'))
+      await first.close()
+      expect(await waiting).toBe(isSaved)
+      expect(second.isReadOnly).toBe(isSaved)
+      await second.close()
+    },
+  )
+
   it('let the next tab that opens it save after the first has closed it', async () => {
     const first = await create(openStore())
     await first.close()

@@ -83,7 +83,8 @@ test('new automatic wrinkles replace lines of a depth that the settings can make
 describe('a dropped preset', () => {
   const session = new Session()
   const makeAuto = vi.fn()
-  const messages = { attempt: (task: () => unknown) => task(), note: vi.fn() }
+  const attempt = (task: () => unknown) => task()
+  const messages = { attemptOpening: attempt, note: vi.fn() }
   const opening = new Opening({ workspace: { session, makeAuto }, messages } as unknown as OpeningParts)
   const drop = () => opening.openFiles(async () => [fileOf('{"version":1,"age":70}')])
 

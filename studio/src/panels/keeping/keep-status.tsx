@@ -5,19 +5,20 @@ import type { PanelModel } from '../model.ts'
 export function KeepStatus({ model: { saving, session, actions } }: { model: PanelModel }) {
   const state = saving.value
   if (!state) return null
-  if (state.kind !== 'elsewhere') {
+  if (state.kind !== 'elsewhere' && state.kind !== 'newer') {
     const isFailed = state.kind === 'failed'
+    const text = isFailed ? state.reason.message : KEEPING.kept
     return (
-      <p class={isFailed ? 'hint warning' : 'hint'} role={isFailed ? 'alert' : 'status'}>
-        {isFailed ? state.reason.message : KEEPING.kept}
+      <p class={isFailed ? 'hint warning' : 'hint'} role={isFailed ? 'alert' : 'status'} title={text}>
+        {text}
       </p>
     )
   }
   const isChanged = session.undoLabel.value !== undefined
   return (
     <div class="elsewhere">
-      <p class="hint warning" role="alert">
-        {KEEPING.elsewhere}
+      <p class="hint warning" role="alert" title={KEEPING[state.kind]}>
+        {KEEPING[state.kind]}
       </p>
       <div class="work">
         <button type="button" onClick={actions.keepCopy}>
