@@ -60,6 +60,8 @@ test('a full disk keeps the work in memory, and saves it once there is room', as
 test('an avatar without blendshapes is reported, and can be painted', async () => {
   await dropPaths(page, [at('still.glb')], 'Still')
   await note('has no blendshapes: it can be painted, but no expression moves it')
+  await page.locator('#poses').getByText('This avatar has no blendshapes.').waitFor()
+  expect(await page.locator('#poses button').count()).toBe(0)
   await button('New region').click()
   await expect.poll(areas, SOON).toEqual(['area'])
 })
@@ -67,6 +69,8 @@ test('an avatar without blendshapes is reported, and can be painted', async () =
 test('an avatar without texture coordinates is reported', async () => {
   await dropPaths(page, [at('unwrapped.glb')], 'Unwrapped')
   await note('it has no texture coordinates: unwrap it, and export it again')
+  await page.locator('#inspector').getByText('cannot wrinkle: it has no texture coordinates').waitFor()
+  expect(await page.getByRole('toolbar', { name: 'Tools' }).getByRole('button').count()).toBe(1)
 })
 
 test('a model that is no face is reported, and can be painted', async () => {

@@ -81,6 +81,24 @@ export const INSPECTOR = {
   lineShows: 'A line shows when its region does.',
 } as const
 
+/** Message below an avatar that has no expressions. */
+export const NO_SHAPES = {
+  none: 'This avatar has no blendshapes.',
+  joints: 'Its joints can fold skin and clothes: drop the file that this command writes,',
+  regions: 'The sliders of its regions show its wrinkles, and so do its animations.',
+  lines: 'Lines that you draw are always visible.',
+} as const
+
+/** Returns the command that makes wrinkles from joints. */
+export function autoCommand(file: string): string {
+  return `npx furrow auto ${file} -o wrinkled.glb`
+}
+
+/** Returns the sentence about a mesh that cannot get wrinkles. @param problem reason, and a remedy. */
+export function cannotWrinkleLabel(mesh: string, problem: string | null): string {
+  return `${mesh} cannot wrinkle: ${problem}.`
+}
+
 /** Returns the name of the button that shows or hides a mesh, for screen readers. */
 export function showMeshLabel(mesh: string): string {
   return `Show ${mesh}`

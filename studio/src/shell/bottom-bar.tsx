@@ -5,6 +5,7 @@ import { PosePicture } from '../panels/controls/pose-picture.tsx'
 import type { PanelModel } from '../panels/model.ts'
 import { Targets } from '../panels/targets.tsx'
 import { Icon } from '../ui/icon.tsx'
+import { NoShapes } from './no-shapes.tsx'
 
 /** Number of expressions that have a key. */
 export const KEYS = 9
@@ -17,6 +18,7 @@ export function BottomBar({ model }: { model: PanelModel }) {
   revision.value
   const names = viewer.value?.expressions.map(({ name }) => name) ?? []
   const hasTargets = (viewer.value?.targets.length ?? 0) > 0
+  if (viewer.value && !hasTargets) return <NoShapes viewer={viewer.value} />
   const urls = pictures.urls.value
   return (
     <>

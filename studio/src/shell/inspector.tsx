@@ -17,6 +17,7 @@ import { BrushSettings } from '../panels/painting/painting.tsx'
 import { Shapes } from '../panels/shapes/shapes.tsx'
 import { Tabs } from '../ui/tabs.tsx'
 import { SelectionCard } from './cards.tsx'
+import { CannotWrinkle } from './no-shapes.tsx'
 import { type Selected, selectedIn } from './selected.ts'
 import { isSmallPage } from './small-page.ts'
 
@@ -124,7 +125,10 @@ function NoWrinkles() {
 /** Shown while the wrinkles are those of the avatar's file, which users cannot edit. */
 function FromFile({ model: { viewer, autoRun, actions } }: { model: PanelModel }) {
   if (autoRun.value) return <p class="hint">{INSPECTOR.making}</p>
-  if (!viewer.value?.wrinkles) return <p class="hint">{INSPECTOR.noWrinkles}</p>
+  const { avatar, wrinkles } = viewer.value!
+  const skin = avatar.skins[avatar.skin]
+  if (!wrinkles && skin.problem !== null) return <CannotWrinkle skin={skin} />
+  if (!wrinkles) return <p class="hint">{INSPECTOR.noWrinkles}</p>
   return (
     <Section title={PLACES.wholeFace}>
       <p class="hint">{INSPECTOR.fromFile}</p>
