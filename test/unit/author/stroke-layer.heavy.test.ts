@@ -18,7 +18,7 @@ import { cylinder, folded } from './skins.ts'
 const SIZE = 96
 
 /** Returns copies of all maps of a layer, as bytes. */
-const bytesOf = ({ heights, occlusion, normal, onset }: Omit<StrokeLayer, 'draw' | 'prepare'>) =>
+const bytesOf = ({ heights, occlusion, normal, onset }: Omit<StrokeLayer, 'draw' | 'prepare' | 'sculpt'>) =>
   [heights, occlusion, normal, onset!].map(({ data }) => Buffer.from(data.buffer.slice(0)))
 
 function redrawn(strokes: readonly Stroke[], canvas: SkinCanvas, base?: RgbaImage): Buffer[] {

@@ -1,6 +1,7 @@
 import { existsSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 import { Document, NodeIO } from '@gltf-transform/core'
+import { encodeSculpted } from 'furrow-files'
 import sharp from 'sharp'
 import { beforeAll, beforeEach, describe, expect, it } from 'vitest'
 import { accessorsOf } from '../../accessors.ts'
@@ -151,6 +152,22 @@ describe('furrow strokes', () => {
       await at.shop.run('unpack', file('raised.glb'), '-o', file('unpacked'))
       const { strokes } = JSON.parse(readFileSync(file('unpacked/strokes.json'), 'utf8'))
       expect(strokes[0]).toMatchObject({ depth: -1.5, width: 40, group: 'bag' })
+    })
+
+    it('adds the sculpted heights of a layer to the strokes that it draws', async () => {
+      await draw(DOCUMENT)
+      const before = setDocument()
+      const data = new Float32Array(64 ** 2).fill(0.5, 50 * 64)
+      const sculpted = 'layers/expression/sculpted.png'
+      writeFileSync(inSet(sculpted), encodeSculpted({ width: 64, height: 64, data }))
+      before.layers[0].sculpted = sculpted
+      writeFileSync(inSet('wrinkles.json'), JSON.stringify(before))
+      await draw(moved(0.25))
+      expect(setDocument().layers[0].sculpted).toBe(sculpted)
+      const heights = await grayOf(inSet('layers/expression/height.png'))
+      expect(heights[SECOND]).toBeLessThan(100)
+      expect(heights[LINE]).toBe(128)
+      expect(heights[OFF]).toBeGreaterThan(200)
     })
 
     it('writes the same bytes when it draws again', async () => {

@@ -37,6 +37,7 @@ const FULL = {
       bloodAmplitude: 0.5,
       onset: 's.png',
       onsetStrength: 0.5,
+      sculpted: 'm.png',
     } satisfies Required<WrinkleSetDocument['layers'][number]>,
   ],
   areas: [

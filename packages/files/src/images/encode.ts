@@ -1,15 +1,9 @@
 import type { GrayImage } from 'furrow'
 import type { HeightMap, NormalMap, RgbaImage } from 'furrow/author'
 import sharp, { type Sharp } from 'sharp'
+import { heightSteps } from './height-steps.ts'
 import { paintedArea } from './painted-area.ts'
 import type { Pixels } from './pixels.ts'
-
-/** Steps of a 16-bit height image per millimetre. */
-export const HEIGHT_STEPS_PER_MM = 1000
-/** Value of height 0 in a 16-bit height image. */
-export const HEIGHT_ZERO = 32768
-/** Largest height above or below 0 that a 16-bit height image can store, millimetres. */
-export const MAX_HEIGHT = (65535 - HEIGHT_ZERO) / HEIGHT_STEPS_PER_MM
 
 const PNG = { compressionLevel: 9 } as const
 /**
@@ -47,10 +41,7 @@ export function encodeRgb({ width, height, data }: Pixels & { channels: 4 }): Pr
 
 /** Encodes a height map as 16-bit gray PNG, see `HEIGHT_STEPS_PER_MM`. Clamps heights that the format cannot store. */
 export function encodeHeight({ width, height, data }: HeightMap): Promise<Uint8Array> {
-  const steps = Uint16Array.from(data, (mm) => {
-    return Math.min(Math.max(Math.round(mm * HEIGHT_STEPS_PER_MM) + HEIGHT_ZERO, 0), 65535)
-  })
-  return sharp(steps, { raw: { width, height, channels: 1 } })
+  return sharp(heightSteps(data), { raw: { width, height, channels: 1 } })
     .toColourspace('grey16')
     .png(PNG)
     .toBuffer()

@@ -16,10 +16,12 @@ import {
   halfSide,
   hasOnset,
   heightLevels,
+  resampleHeights,
   valleyBlood,
 } from 'furrow/internal'
 import type { OutputFile } from '../base/output-file.ts'
 import { decodeGray } from '../images/decode-gray.ts'
+import { decodeSculpted } from '../images/sculpted-heights.ts'
 import { addressOf } from '../wrinkles/folder-document.ts'
 import { layersOf } from '../wrinkles/strokes.ts'
 import { encodeLayer } from './encode-layer.ts'
@@ -136,10 +138,11 @@ async function drawLayer(
   const own = strokes.filter((stroke) => (stroke.layer ?? name) === name)
   const layer = new StrokeLayer(canvas, { frame, onset: hasOnset(own) })
   layer.draw(own)
+  if (entry.sculpted !== undefined) layer.sculpt(await readSculpted(entry.sculpted, canvas, read, who))
   const { heights, occlusion, onset } = layer
   const blood = await bloodOf(entry, heights, read, who)
   const maps = { name, normal: normalOf(), heights, occlusion, blood, ...(onset && { onset }) }
-  return encodeLayer(maps, own.length > 0, false)
+  return encodeLayer(maps, own.length > 0 || entry.sculpted !== undefined, false)
 
   /** Returns the normals. Only normals show fine furrows, which are too shallow for heights. */
   function normalOf() {
@@ -148,6 +151,16 @@ async function drawLayer(
     addFurrows(withFurrows, canvas, furrows, strokes)
     return heightToNormal(withFurrows, canvas.metric, frame)
   }
+}
+
+/** Reads the sculpted heights of a layer, and resamples them to the size of the canvas. */
+async function readSculpted(
+  uri: string,
+  { metric }: SkinCanvas,
+  read: ReadFile,
+  who: string,
+): Promise<HeightMap> {
+  return resampleHeights(await decodeSculpted(await read(uri), uri, who), metric.width, metric.height)
 }
 
 /**

@@ -19,7 +19,7 @@ export interface SetToPack extends Pick<WrinkleSetDocument, 'mesh' | 'material' 
 }
 
 /** Layer of `wrinkles.json` with functions that load its maps. */
-export interface LayerToPack extends Omit<LayerEntry, MapName> {
+export interface LayerToPack extends Omit<LayerEntry, MapName | 'sculpted'> {
   maps: { [Name in MapName]?: () => Promise<MapToPack> } & { normal(): Promise<MapToPack> }
 }
 
@@ -62,7 +62,7 @@ export function setOfFolder(document: WrinkleSetDocument, read: ReadFile, who: s
 }
 
 function layerOfFolder(entry: LayerEntry, read: ReadFile): LayerToPack {
-  const { normal, baseColor, roughness, occlusion, height, blood, onset, ...layer } = entry
+  const { normal, baseColor, roughness, occlusion, height, blood, onset, sculpted, ...layer } = entry
   const maps = MAP_SLOTS.flatMap(([map]) => {
     const path = entry[map]
     return path === undefined ? [] : [[map, async () => ({ path, bytes: await read(path) })] as const]

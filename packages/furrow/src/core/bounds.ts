@@ -16,6 +16,16 @@ export function widen(bounds: Bounds, { x0, y0, x1, y1 }: Readonly<Bounds>): voi
   bounds.y1 = Math.max(bounds.y1, y1)
 }
 
+/** Returns a rectangle with a margin around it, clipped to the rectangle `whole`. */
+export function grown({ x0, y0, x1, y1 }: Readonly<Bounds>, margin: number, whole: Readonly<Bounds>): Bounds {
+  return {
+    x0: Math.max(x0 - margin, whole.x0),
+    y0: Math.max(y0 - margin, whole.y0),
+    x1: Math.min(x1 + margin, whole.x1),
+    y1: Math.min(y1 + margin, whole.y1),
+  }
+}
+
 /** Returns the bounding rectangle of the texels above 0 in one slice of a single-channel array. Without such texels, it is empty. */
 export function boundsOf({ width, height, data }: ImageArray, slice: number): Bounds {
   const bounds = { x0: width, y0: height, x1: 0, y1: 0 }

@@ -46,6 +46,8 @@ export interface SetDocument {
     onset?: string
     /** 0 = the onset map has no effect, 1 = full effect; default 1. */
     onsetStrength?: number
+    /** URL of heights that were sculpted by hand. Read by `furrow strokes`, which adds them to the heights of strokes. */
+    sculpted?: string
   }[]
   /** Areas of influence: images with the location of each controllable group of wrinkles. */
   areas: {
@@ -122,6 +124,8 @@ function readLayer(reader: JsonReader, item: unknown, at: string): SetDocument['
   for (const map of MAPS) {
     if (json[map] !== undefined) layer[map] = reader.text(json[map], `${at}.${map}`, MAX_URL_LENGTH)
   }
+  if (json.sculpted !== undefined)
+    layer.sculpted = reader.text(json.sculpted, `${at}.sculpted`, MAX_URL_LENGTH)
   if (json.normalScale !== undefined) {
     layer.normalScale = reader.number(json.normalScale, `${at}.normalScale`, -MAX_NUMBER, MAX_NUMBER, '')
   }

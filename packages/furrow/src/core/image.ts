@@ -53,9 +53,19 @@ function checkSides(width: number, height: number, who: string): void {
 export function resampleGray(image: GrayImage, size: number): GrayImage {
   const { width, height, data } = image
   if (width === size && height === size) return image
-  const columns = resampleTransposed(data, width, height, size)
-  const rows = resampleTransposed(columns, height, size, size)
+  const rows = resample(data, width, height, size, size)
   return { width: size, height: size, data: Uint8Array.from(rows, Math.round) }
+}
+
+/** Resamples values like `resampleGray`, without rounding. */
+export function resample(
+  data: ArrayLike<number>,
+  width: number,
+  height: number,
+  newWidth: number,
+  newHeight: number,
+): Float64Array {
+  return resampleTransposed(resampleTransposed(data, width, height, newWidth), height, newWidth, newHeight)
 }
 
 /**

@@ -25,6 +25,9 @@ export const MAX_IMAGE_BYTES = 2 ** 28
  */
 export const MAX_WRINKLE_BYTES = 2 ** 29
 
+/** Maximum distance that relief moves skin outwards, and that sculpted heights move it in either direction, metres. */
+export const MAX_RELIEF = 0.01
+
 /** Maximum number of drivers in a wrinkle set. */
 export const MAX_DRIVERS = 4096
 

@@ -1,3 +1,4 @@
+import { MAX_RELIEF } from '../core/limits.ts'
 import { powerOfTwoFrom } from '../math/scalar.ts'
 import type { CoarseMesh } from './coarse-mesh.ts'
 import { CLEARANCE_TO_CURVE, smoothNormals } from './displaced.ts'
@@ -9,9 +10,6 @@ const OF_GAP = 0.4
 
 /** Clearance of a vertex, as a fraction of its distance from the nearest rim. */
 const FROM_RIM = 0.25
-
-/** Clearance where no other surface is near, in metres. It is larger than the height of any wrinkle. */
-const AMPLE = 0.01
 
 /** Normals are opposed if the cosine of the angle between them is below this number. */
 const OPPOSED = -0.2
@@ -47,7 +45,7 @@ export function* outwardClearance(
     if (k % SLICE === 0) yield
     const fromRim = rimGrid.nearest(i, isAny) * FROM_RIM
     const ofGap = grid.nearest(i, isFaced) * OF_GAP
-    clearance[i] = Math.min(fromRim, ofGap, AMPLE)
+    clearance[i] = Math.min(fromRim, ofGap, MAX_RELIEF)
   }
   for (let i = 0; i < clearance.length; i++) clearance[i] = clearance[firstOf[i]]
   return clearance

@@ -1,4 +1,4 @@
-import { type Bounds, widen } from '../../core/bounds.ts'
+import { type Bounds, grown, widen } from '../../core/bounds.ts'
 
 /** The map is divided into squares of this width and height in texels. One rectangle of changed texels is collected per square. */
 const SIDE = 16
@@ -28,12 +28,8 @@ export class ChangedTexels {
 
   /** Returns rectangles that contain the changed texels. Each rectangle is grown by `margin` texels and clipped to the map. */
   around(margin: number): Bounds[] {
-    return Array.from(this.#squares.values(), ({ x0, y0, x1, y1 }) => ({
-      x0: Math.max(x0 - margin, 0),
-      y0: Math.max(y0 - margin, 0),
-      x1: Math.min(x1 + margin, this.#width),
-      y1: Math.min(y1 + margin, this.#height),
-    }))
+    const whole = { x0: 0, y0: 0, x1: this.#width, y1: this.#height }
+    return Array.from(this.#squares.values(), (bounds) => grown(bounds, margin, whole))
   }
 }
 

@@ -1,4 +1,4 @@
-import type { Bounds } from '../../core/bounds.ts'
+import { type Bounds, grown } from '../../core/bounds.ts'
 import { checkSizes, overlayNormals } from '../../core/normals/combine-normals.ts'
 import type { GrayImage, RgbaImage } from '../../core/types.ts'
 import { drawNormals, heightToNormal, type TangentFrame } from '../normals/height-to-normal.ts'
@@ -11,6 +11,7 @@ import { layOutStroke } from './lay-out.ts'
 import { OnsetLayer } from './onset-layer.ts'
 import { OtherStrokes } from './other-strokes.ts'
 import { gridOf, laidOf, overlap, type PlacedStroke, placeOf } from './placed-stroke.ts'
+import { SculptedSum } from './sculpted-sum.ts'
 
 /** Options of a `StrokeLayer`. */
 export interface StrokeLayerOptions {
@@ -26,18 +27,16 @@ export interface StrokeLayerOptions {
 }
 
 /**
- * Height, occlusion, normal and optionally onset map of strokes (wrinkles). When the strokes change, only the skin within reach of added, removed or replaced
+ * Height, occlusion, normal and optionally onset map of strokes (wrinkles), with optional sculpted heights. When the strokes change, only the skin within reach of added, removed or replaced
  * strokes is redrawn. While the same stroke is edited repeatedly, the contributions of all other strokes are cached; `prepare` fills this
  * cache before the first edit. Results are bit-identical to a full redraw with `strokesToHeight`, `heightToNormal`, `combineNormals` and
  * `strokesToOnset`.
  *
- * Memory: 10 bytes per texel, 64 bytes per half millimetre of stroke, and up to 32 MB while one stroke is edited. Layers with maps of the
+ * Memory: 10 bytes per texel (14 with sculpted heights), 64 bytes per half millimetre of stroke, and up to 32 MB while one stroke is edited. Layers with maps of the
  * same size can share a canvas.
  */
 export class StrokeLayer {
-  /** `draw` changes this map and the other maps in place. */
-  readonly heights: HeightMap
-  /** 255 = unoccluded. */
+  /** 255 = unoccluded. `draw` and `sculpt` change this map and the other maps in place. */
   readonly occlusion: GrayImage
   /** Tangent-space normal map of wrinkles and base, in the encoding of `heightToNormal`. */
   readonly normal: RgbaImage
@@ -48,6 +47,7 @@ export class StrokeLayer {
   readonly #frame: TangentFrame
   readonly #drawn: DrawnStrokes
   readonly #onset: OnsetLayer | undefined
+  #sculpted: SculptedSum | undefined
   #strokes: readonly PlacedStroke[] = []
   /** Cache for the stroke that is being edited. Null if the last change involved several strokes. */
   #edit: Edit | null = null
@@ -63,14 +63,18 @@ export class StrokeLayer {
     this.#base = base
     this.#frame = frame
     this.#drawn = flatSkin(metric.width, metric.height)
-    this.heights = this.#drawn.heights
     this.occlusion = this.#drawn.occlusion
     this.normal = heightToNormal(this.heights, metric, frame)
     this.#onset = onset ? new OnsetLayer(canvas) : undefined
     this.onset = this.#onset?.map
     if (!base) return
     checkSizes(base, this.normal)
-    overlayNormals(base, this.normal, { x0: 0, y0: 0, x1: metric.width, y1: metric.height })
+    overlayNormals(base, this.normal, this.#whole)
+  }
+
+  /** Heights of strokes and sculpted heights. The object changes when the layer gets its first sculpted heights, or loses them. */
+  get heights(): HeightMap {
+    return this.#sculpted?.heights ?? this.#drawn.heights
   }
 
   /**
@@ -91,8 +95,26 @@ export class StrokeLayer {
       if (touched.isWithinReach(position) && pen.draw(texel, position, normal)) texels.add(texel)
     })
     const bounds = texels.around(SLOPE_REACH)
+    this.#sculpted?.update(bounds)
     for (const each of bounds) this.#drawNormals(each)
     return mergeBounds([...bounds, ...(this.#onset?.draw(placed, changed) ?? [])])
+  }
+
+  /**
+   * Adds sculpted heights to those of the strokes, see `sculptedHeight`. Later calls of `draw` keep them. Occlusion and onset do not change.
+   *
+   * @param sculpted heights in millimetres. The layer keeps a reference. Null removes them.
+   * @param changed rectangle outside which no height has changed since the last call. Default: the whole map.
+   * @returns redrawn rectangle in texels.
+   * @throws FurrowError if the heights do not have the canvas's size.
+   */
+  sculpt(sculpted: HeightMap | null, changed: Bounds = this.#whole): Bounds {
+    const isOther = sculpted !== (this.#sculpted?.sculpted ?? null)
+    if (isOther) this.#sculpted = sculpted ? new SculptedSum(this.#drawn.heights, sculpted) : undefined
+    this.#sculpted?.update([isOther ? this.#whole : changed])
+    const bounds = grown(changed, SLOPE_REACH, this.#whole)
+    this.#drawNormals(bounds)
+    return bounds
   }
 
   /**
@@ -166,6 +188,11 @@ export class StrokeLayer {
       return this.#strokes[index]
     })
     return { placed, changed: [...removed, ...added] }
+  }
+
+  get #whole(): Bounds {
+    const { width, height } = this.#drawn.heights
+    return { x0: 0, y0: 0, x1: width, y1: height }
   }
 
   #drawNormals(bounds: Bounds): void {
