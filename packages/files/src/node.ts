@@ -17,7 +17,7 @@ export {
   encodeRgbaNormalMap,
 } from './images/encode.ts'
 export { type HeightImage, readHeightImage } from './images/height-image.ts'
-export { HEIGHT_STEPS_PER_MM, HEIGHT_ZERO, MAX_HEIGHT } from './images/height-steps.ts'
+export { HEIGHT_ZERO, MAX_HEIGHT } from './images/height-steps.ts'
 export { POWER_RANGE } from './imports/character-creator/region-settings.ts'
 export { REGIONS } from './imports/character-creator/rules.ts'
 export {

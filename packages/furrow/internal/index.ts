@@ -48,6 +48,7 @@ export { crossOf, type SkinSurface } from '../src/author/skin/surface.ts'
 export { type UvGrid, UvLocator } from '../src/author/skin/uv-locator.ts'
 export { barycentricsAt, positionAt, walk } from '../src/author/skin/walk.ts'
 export type { GroupShape, PolygonShape } from '../src/author/strokes/area-definitions.ts'
+export { mergeBounds } from '../src/author/strokes/changed-texels.ts'
 export type { LocatedSkin } from '../src/author/strokes/curve.ts'
 export {
   type AreaShape,
@@ -87,7 +88,12 @@ export { addSection, HeightSum } from '../src/author/strokes/height-sum.ts'
 export { BANK_WIDTHS, isBulge, sectionOf } from '../src/author/strokes/lay-out.ts'
 export { hasOnset } from '../src/author/strokes/onset.ts'
 export { groupShape, type PaintedArea, paintArea, paintedNames } from '../src/author/strokes/paint-areas.ts'
-export { MAX_SCULPTED, resampleHeights, sculptedHeight } from '../src/author/strokes/sculpted-sum.ts'
+export {
+  HEIGHT_STEPS_PER_MM,
+  MAX_SCULPTED,
+  resampleHeights,
+  sculptedHeight,
+} from '../src/author/strokes/sculpted-sum.ts'
 export { drawUvLayout, type UvLayoutOptions } from '../src/author/uv-layout.ts'
 export { BLOOD_AMPLITUDE, changedBlood, valleyBlood } from '../src/author/valley-blood.ts'
 export { buffersOf } from '../src/auto/buffers.ts'

@@ -147,9 +147,9 @@ function isInGroupOf({ group }: LayerStroke, area: string): boolean {
   return group === area || group === area.replace(/(Left|Right)$/, '')
 }
 
-/** Whether a layer has images that `autoWrinkles` did not make. */
-function hasOwnMaps({ maps, isBloodAutomatic }: StudioLayer): boolean {
-  return Object.keys(maps).some((map) => map !== 'blood' || !isBloodAutomatic)
+/** Whether a layer has images or sculpted heights that `autoWrinkles` did not make. */
+function hasOwnMaps({ maps, isBloodAutomatic, sculpted }: StudioLayer): boolean {
+  return sculpted !== undefined || Object.keys(maps).some((map) => map !== 'blood' || !isBloodAutomatic)
 }
 
 /**

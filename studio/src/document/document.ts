@@ -1,6 +1,7 @@
 import type { Combine, GrayImage, LayerKind, WrinkleDriver } from 'furrow'
 import type { AutoRegion, AutoSide, DenseRegion, Stroke, StrokesDocument } from 'furrow/author'
 import type { Furrows, ShapeCorrection } from 'furrow/internal'
+import type { Sculpted } from './sculpted.ts'
 
 /**
  * Wrinkles of one face, as immutable data. Operations return a new document that shares all unchanged objects with the old one. Views
@@ -68,6 +69,8 @@ export interface StudioLayer {
   readonly isBloodAutomatic?: boolean
   /** Whether the onset map is drawn from the layer's strokes. If so, `maps` has no onset map. */
   readonly isOnsetDrawn?: boolean
+  /** Heights that brushes have sculpted. They are added to the heights of the layer's strokes. */
+  readonly sculpted?: Sculpted
 }
 
 export const LAYER_DEFAULTS = {

@@ -94,9 +94,11 @@ function lostBytes(before: StudioDocument, after: StudioDocument): number {
 
 function partsOf({ areas, layers, strokes }: StudioDocument): Map<object, number> {
   const images = layers.flatMap(({ maps }) => Object.values(maps))
+  const tiles = layers.flatMap(({ sculpted }) => [...(sculpted?.tiles.values() ?? [])])
   return new Map<object, number>([
     ...areas.map(({ weights }) => [weights, weights.data.length] as const),
     ...images.map((image) => [image, image.bytes.length] as const),
+    ...tiles.map((tile) => [tile, tile.byteLength] as const),
     ...strokes.map((stroke) => [stroke, 64 * stroke.points.length] as const),
   ])
 }

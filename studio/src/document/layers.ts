@@ -1,5 +1,5 @@
 import { FurrowError } from 'furrow'
-import { MAX_BLOOD_AMPLITUDE, MAX_LAYERS, MAX_NUMBER } from 'furrow/internal'
+import { MAX_BLOOD_AMPLITUDE, MAX_LAYERS, MAX_NUMBER, resampleHeights } from 'furrow/internal'
 import {
   type ImageFile,
   LAYER_DEFAULTS,
@@ -9,6 +9,7 @@ import {
 } from './document.ts'
 import { changed, checkCount, checkNewName, findNamed, kept, replaceNamed } from './names.ts'
 import { checkRange } from './ranges.ts'
+import { heightMapOf, type Sculpted, sculptedOf, sculptedSize } from './sculpted.ts'
 
 /** Fields of a layer that `setLayer` can change. */
 export type LayerFields = Partial<
@@ -99,4 +100,26 @@ export function setMap(
     }
   }
   return { ...document, layers: replaceNamed(document.layers, name, 'layer', change) }
+}
+
+/** Returns the sculpted heights of a layer at the size that fits its maps. They have no tiles if nothing is sculpted. */
+export function sculptedOn({ layers, mapSize }: StudioDocument, name: string): Sculpted {
+  const size = sculptedSize(mapSize)
+  const sculpted = findNamed(layers, name, 'layer').sculpted ?? { size, tiles: new Map() }
+  return sculpted.size === size ? sculpted : sculptedOf(resampleHeights(heightMapOf(sculpted), size, size))
+}
+
+/** Sets the sculpted heights of a layer. Removes them if there are no tiles. */
+export function setSculpted(
+  document: StudioDocument,
+  name: string,
+  sculpted: Sculpted | null,
+): StudioDocument {
+  return {
+    ...document,
+    layers: replaceNamed(document.layers, name, 'layer', ({ sculpted: _, ...layer }) => ({
+      ...layer,
+      ...(sculpted && sculpted.tiles.size > 0 && { sculpted }),
+    })),
+  }
 }

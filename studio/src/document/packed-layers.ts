@@ -3,11 +3,12 @@ import { halfSide, heightLevels } from 'furrow/internal'
 import { type Pixels, withoutAlpha } from 'furrow-files'
 import { type ImageFile, MAP_NAMES, type MapName, type StudioDocument, type StudioLayer } from './document.ts'
 import type { DrawnMaps } from './drawn-maps.ts'
+import { strokesOf } from './strokes.ts'
 
-/** Document, and the maps that were drawn from its strokes (wrinkle lines). */
+/** Document, and the maps that were drawn from its strokes (wrinkle lines) and sculpted heights. */
 export interface DocumentToPack {
   document: StudioDocument
-  /** Maps drawn from strokes. The keys are names of the layers that have strokes. */
+  /** Drawn maps. The keys are names of the layers that have strokes or sculpted heights. */
   drawn: ReadonlyMap<string, StrokeMaps>
 }
 
@@ -29,12 +30,13 @@ export interface PackedLayer {
 }
 
 /** Returns the layers with the maps that were drawn from their strokes. A layer without a normal map gets a flat one. */
-export function packedLayers({ document: { layers, mapSize }, drawn }: DocumentToPack): PackedLayer[] {
+export function packedLayers({ document, drawn }: DocumentToPack): PackedLayer[] {
+  const { layers, mapSize } = document
   let flat: Pixels | undefined
   return layers.map((layer): PackedLayer => {
     const strokeMaps = drawn.get(layer.name)
     const { maps: made, heightAmplitude = layer.heightAmplitude } = strokeMaps
-      ? mapsOf(strokeMaps, layer)
+      ? mapsOf(strokeMaps, layer, strokesOf(document, layer.name).length > 0)
       : { maps: {} }
     if (!layer.maps.normal && !made.normal) {
       flat ??= flatNormal(mapSize)
@@ -51,15 +53,17 @@ export function packedLayers({ document: { layers, mapSize }, drawn }: DocumentT
 
 /**
  * Makes pixels from the maps that were drawn from strokes. Occlusion, onset and heights get half the resolution of the normal map, as in `furrow auto`,
- * because steep creases are visible only in the normals. Omits the heights if the layer has a height map.
+ * because steep creases are visible only in the normals. Omits the heights if the layer has a height map, and the occlusion, which sculpted
+ * heights do not change, if it has no strokes.
  */
 function mapsOf(
   { normal, occlusion, onset, heights }: StrokeMaps,
   layer: StudioLayer,
+  hasStrokes: boolean,
 ): Pick<PackedLayer, 'heightAmplitude'> & { maps: { [Name in MapName]?: Pixels } } {
   const maps = {
     normal: withoutAlpha({ ...normal, channels: 4 }),
-    occlusion: gray(halfSide(occlusion)),
+    ...(hasStrokes && { occlusion: gray(halfSide(occlusion)) }),
     ...(onset && { onset: gray(halfSide(onset)) }),
   }
   if (layer.maps.height) return { maps }

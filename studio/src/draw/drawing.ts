@@ -4,15 +4,17 @@ import type { HeightMap, Stroke } from 'furrow/author'
 import type { Bounds } from 'furrow/internal'
 import type { LayerStroke } from '../document/document.ts'
 import type { DrawnMaps } from '../document/drawn-maps.ts'
+import type { Sculpted } from '../document/sculpted.ts'
 import { deathOf } from '../workers/life.ts'
-import { changesOf } from './changes.ts'
+import { changesOf, sculptedChanges } from './changes.ts'
 import { pasteRect } from './copy-rect.ts'
 import type { DrawingService, DrawingSurface, LayerSettings } from './messages.ts'
 
-/** Maps of a layer and the strokes drawn in them. */
+/** Maps of a layer, and the strokes and sculpted heights drawn in them. */
 interface Sheet {
   maps: DrawnMaps
   strokes: readonly Stroke[]
+  sculpted: Sculpted | null
   settings: LayerSettings
 }
 
@@ -49,16 +51,22 @@ export class Drawing {
   }
 
   /**
-   * Updates the maps of a layer after changes of its strokes.
+   * Updates the maps of a layer after changes of its strokes or sculpted heights.
    *
    * @returns changed rectangles in texels, or null if everything changed.
    */
-  async draw(layer: string, strokes: readonly Stroke[], settings: LayerSettings): Promise<Bounds[] | null> {
+  async draw(
+    layer: string,
+    strokes: readonly Stroke[],
+    settings: LayerSettings,
+    sculpted: Sculpted | null = null,
+  ): Promise<Bounds[] | null> {
     const known = this.#sheets.get(layer)
     const sheet = known && isSame(known.settings, settings) ? known : await this.#addLayer(layer, settings)
-    const before = sheet.strokes
-    sheet.strokes = strokes
-    const patches = await this.#call((service) => service.draw(layer, changesOf(before, strokes)))
+    const changes = changesOf(sheet.strokes, strokes)
+    const heights = sculptedChanges(sheet.sculpted, sculpted)
+    Object.assign(sheet, { strokes, sculpted })
+    const patches = await this.#call((service) => service.draw(layer, changes, heights))
     for (const { bounds, normal, occlusion, onset } of patches) {
       pasteRect(sheet.maps.normal, bounds, 4, normal)
       pasteRect(sheet.maps.occlusion, bounds, 1, occlusion)
@@ -73,10 +81,10 @@ export class Drawing {
    */
   async adopt(layer: string, strokes: readonly Stroke[], maps: DrawnMaps): Promise<void> {
     const settings = { base: null, hasOnset: maps.onset !== undefined }
-    this.#sheets.set(layer, { maps, strokes, settings })
+    this.#sheets.set(layer, { maps, strokes, sculpted: null, settings })
     // Send both calls at once, so that later calls run after them.
     await this.#call((service) =>
-      Promise.all([service.addLayer(layer, settings), service.draw(layer, [...strokes])]),
+      Promise.all([service.addLayer(layer, settings), service.draw(layer, [...strokes], null)]),
     )
   }
 
@@ -88,7 +96,7 @@ export class Drawing {
     await this.#call((service) => service.prepare(known))
   }
 
-  /** Returns the height map drawn from a layer's strokes, or undefined before the first draw. */
+  /** Returns the height map of a layer's strokes and sculpted heights, or undefined before the first draw. */
   async heightsOf(layer: string): Promise<HeightMap | undefined> {
     const maps = this.mapsOf(layer)
     if (!maps) return undefined
@@ -107,7 +115,7 @@ export class Drawing {
 
   async #addLayer(layer: string, settings: LayerSettings): Promise<Sheet> {
     const { size } = this.#surface!
-    const sheet: Sheet = { maps: flatMaps(size, settings), strokes: [], settings }
+    const sheet: Sheet = { maps: flatMaps(size, settings), strokes: [], sculpted: null, settings }
     this.#sheets.set(layer, sheet)
     await this.#call((service) => service.addLayer(layer, settings))
     return sheet

@@ -13,7 +13,7 @@ import { Drawing } from './drawing.ts'
 /** For each layer whose maps were updated in place: the changed rectangles, in texels. */
 export type MapChanges = ReadonlyMap<LayerMaps, readonly Bounds[]>
 
-/** Makes the maps of a document's layers: decodes their images, and lets a worker draw wrinkle strokes over the images. */
+/** Makes the maps of a document's layers: decodes their images, and lets a worker draw wrinkle strokes and sculpted heights over them. */
 export class MapMaker {
   #drawing: Drawing | null = null
   #source: SkinSource | null = null
@@ -79,13 +79,13 @@ export class MapMaker {
     this.#drawing?.prepare(stroke).catch(() => {})
   }
 
-  /** Returns height maps drawn from strokes. The keys are names of the layers that have strokes. */
+  /** Returns drawn height maps. The keys are names of the layers that have strokes or sculpted heights. */
   async heights(document: StudioDocument, source: SkinSource): Promise<ReadonlyMap<string, HeightMap>> {
     // If the worker has died, start another one.
     if (!this.#drawing) await this.make(document, source)
     const heights = new Map<string, HeightMap>()
-    for (const { name } of document.layers) {
-      if (strokesOf(document, name).length === 0) continue
+    for (const { name, sculpted } of document.layers) {
+      if (strokesOf(document, name).length === 0 && !sculpted) continue
       const own = await this.#drawing?.heightsOf(name)
       if (own) heights.set(name, own)
     }
@@ -133,26 +133,31 @@ export class MapMaker {
     strokes: readonly LayerStroke[],
   ): Promise<LayerMaps> {
     const own = await decoded(layer)
-    if (strokes.length === 0 && hasNormals(own)) return fitMaps(own, this.#size)
+    const { sculpted = null } = layer
+    if (strokes.length === 0 && !sculpted && hasNormals(own)) return fitMaps(own, this.#size)
     // Without strokes, the onset map would be 0 everywhere. Wrinkles would then be deeper at the same influence than without an onset map.
     const isOnsetDrawn = layer.isOnsetDrawn === true && hasOnset(strokes)
-    const changes = await drawing.draw(layer.name, strokes, {
-      base: own.normal ?? null,
-      hasOnset: isOnsetDrawn,
-    })
-    const maps = this.#combine(drawing.mapsOf(layer.name)!, own)
+    const settings = { base: own.normal ?? null, hasOnset: isOnsetDrawn }
+    const changes = await drawing.draw(layer.name, strokes, settings, sculpted)
+    // Only strokes are drawn into the occlusion.
+    const { occlusion, ...others } = own
+    const maps = this.#combine(
+      drawing.mapsOf(layer.name)!,
+      occlusion && strokes.length === 0 ? { ...others, occlusion } : others,
+    )
     if (changes?.length) this.#changes.set(maps, [...(this.#changes.get(maps) ?? []), ...changes])
     return maps
   }
 
   /** Adds the maps in `OTHER_MAPS` to the drawn maps of a layer, and caches the result. */
-  #combine(drawn: DrawnMaps, { baseColor, roughness, blood, onset }: StoredMaps): LayerMaps {
-    if (!baseColor && !roughness && !blood && !onset) return drawn
+  #combine(drawn: DrawnMaps, { baseColor, roughness, occlusion, blood, onset }: StoredMaps): LayerMaps {
+    if (!baseColor && !roughness && !occlusion && !blood && !onset) return drawn
     const { width } = drawn.occlusion
     const maps: LayerMaps = {
       ...drawn,
       ...(baseColor && { baseColor }),
       ...(roughness && { roughness }),
+      ...(occlusion && { occlusion: scaledMap(occlusion, width) }),
       ...(blood && { blood: scaledMap(blood, width) }),
       ...(onset && { onset: scaledMap(onset, width) }),
     }
@@ -171,11 +176,11 @@ function hasNormals(maps: StoredMaps): maps is LayerMaps {
 }
 
 /** Maps of a layer that can be images beside the drawn maps. */
-const OTHER_MAPS = ['baseColor', 'roughness', 'blood', 'onset'] as const
+const OTHER_MAPS = ['baseColor', 'roughness', 'occlusion', 'blood', 'onset'] as const
 
 const scaledMaps = new WeakMap<GrayImage, GrayImage>()
 
-/** Scales a blood or onset map to the size of the drawn occlusion map. */
+/** Scales a map to the size of the drawn occlusion map. */
 function scaledMap(map: GrayImage, size: number): GrayImage {
   const known = scaledMaps.get(map)
   if (known?.width === size) return known

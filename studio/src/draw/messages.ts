@@ -1,7 +1,7 @@
 import type { RgbaImage } from 'furrow'
 import type { MetricMesh, Stroke, TangentFrame } from 'furrow/author'
 import type { Bounds } from 'furrow/internal'
-import type { ListChanges } from './changes.ts'
+import type { ListChanges, SculptedChanges } from './changes.ts'
 
 /** Skin on which strokes are drawn, and size of the maps. */
 export interface DrawingSurface {
@@ -38,10 +38,14 @@ export interface DrawingService {
   begin(surface: DrawingSurface): void
   /** Adds a layer without strokes. Replaces a layer with the same name. */
   addLayer(name: string, settings: LayerSettings): void
-  /** Draws the changed strokes of a layer, and returns the changed texels. */
-  draw(name: string, changes: ListChanges<Stroke>): MapPatch[]
+  /**
+   * Draws the changed strokes and sculpted heights of a layer, and returns the changed texels.
+   *
+   * @param sculpted null: the sculpted heights have not changed.
+   */
+  draw(name: string, changes: ListChanges<Stroke>, sculpted: SculptedChanges | null): MapPatch[]
   /** Prepares the edit of a stroke, given by its index in the layer. A later `prepare` or `begin` cancels unfinished work. Null only cancels. */
   prepare(stroke: { layer: string; index: number } | null): Promise<void>
-  /** Returns a copy of the heights drawn from a layer's strokes; see `HeightMap`. */
+  /** Returns a copy of the heights of a layer's strokes and sculpted heights; see `HeightMap`. */
   heights(name: string): Float32Array
 }

@@ -8,10 +8,13 @@ import { applyChanges } from './changes.ts'
 import { copyRect } from './copy-rect.ts'
 import type { DrawingService, DrawingSurface, MapPatch } from './messages.ts'
 import { Preparation } from './preparation.ts'
+import { SculptedSheet } from './sculpted-sheet.ts'
 
 interface Sheet {
   layer: StrokeLayer
   strokes: Stroke[]
+  /** Absent before the layer gets its first sculpted heights. */
+  sculpted?: SculptedSheet
 }
 
 let surface: DrawingSurface
@@ -30,10 +33,16 @@ const service: DrawingService = {
     const options = { frame: surface.frame, onset: hasOnset, ...(base && { base }) }
     sheets.set(name, { layer: new StrokeLayer(canvas, options), strokes: [] })
   },
-  draw(name, changes) {
+  draw(name, changes, sculpted) {
     const sheet = sheets.get(name)!
     sheet.strokes = applyChanges(sheet.strokes, changes)
-    const patches = sheet.layer.draw(sheet.strokes).map((bounds) => patchOf(sheet.layer, bounds))
+    const changed = sheet.layer.draw(sheet.strokes)
+    if (sculpted) {
+      sheet.sculpted ??= new SculptedSheet(surface.size)
+      for (const bounds of sheet.sculpted.update(sculpted))
+        changed.push(sheet.layer.sculpt(sheet.sculpted.heights, bounds))
+    }
+    const patches = changed.map((bounds) => patchOf(sheet.layer, bounds))
     return transfer(
       patches,
       patches.flatMap(({ normal, occlusion, onset }) =>

@@ -1,6 +1,7 @@
 import { FurrowError, type GrayImage } from 'furrow'
 import type { ImageFile, StudioDocument } from '../document/document.ts'
-import { parseStored, type StoredDocument } from './stored-document.ts'
+import { type Sculpted, type SculptedTile, TILE_TEXELS } from '../document/sculpted.ts'
+import { parseStored, type StoredDocument, type StoredSculpted } from './stored-document.ts'
 
 /** Version of the record's format. */
 const VERSION = 1
@@ -11,24 +12,33 @@ export interface DocumentRecord {
   document: StoredDocument
 }
 
-/** Weights of an area, or an encoded map. */
-export type ImageRecord = GrayImage | ImageFile
+/** Weights of an area, an encoded map, or a tile of sculpted heights. */
+export type ImageRecord = GrayImage | ImageFile | SculptedTile
 
 export function imagesOf({ layers, areas }: StudioDocument): Set<ImageRecord> {
   return new Set([
     ...layers.flatMap(({ maps }) => Object.values(maps)),
+    ...layers.flatMap(({ sculpted }) => [...(sculpted?.tiles.values() ?? [])]),
     ...areas.map(({ weights }) => weights),
   ])
 }
 
 /** Makes the record of a document. @param numberOf returns the number of an image. */
 export function recordOf(document: StudioDocument, numberOf: (image: ImageRecord) => number): DocumentRecord {
-  const layers = document.layers.map((layer) => ({
+  const layers = document.layers.map(({ sculpted, ...layer }) => ({
     ...layer,
     maps: Object.fromEntries(Object.entries(layer.maps).map(([name, image]) => [name, numberOf(image)])),
+    ...(sculpted && { sculpted: recordOfSculpted(sculpted, numberOf) }),
   }))
   const areas = document.areas.map((area) => ({ ...area, weights: numberOf(area.weights) }))
   return { version: VERSION, document: { ...document, layers, areas } }
+}
+
+function recordOfSculpted(
+  { size, tiles }: Sculpted,
+  numberOf: (image: ImageRecord) => number,
+): StoredSculpted {
+  return { size, tiles: Array.from(tiles, ([index, tile]) => [index, numberOf(tile)]) }
 }
 
 /**
@@ -47,11 +57,17 @@ export function documentOf(
   checkVersion(record.version, name)
   try {
     const document = parseStored(record.document)
-    const layers = document.layers.map((layer) => ({
+    const layers = document.layers.map(({ sculpted, ...layer }) => ({
       ...layer,
       maps: Object.fromEntries(
         Object.entries(layer.maps).map(([map, number]) => [map, mapOf(images.get(number), map)]),
       ),
+      ...(sculpted && {
+        sculpted: {
+          size: sculpted.size,
+          tiles: new Map(sculpted.tiles.map(([i, number]) => [i, tileOf(images.get(number), layer.name)])),
+        },
+      }),
     }))
     const areas = document.areas.map((area) => ({
       ...area,
@@ -90,6 +106,11 @@ function mapOf(image: ImageRecord | undefined, map: string): ImageFile {
 function weightsOf(image: ImageRecord | undefined, area: string, side: number): GrayImage {
   if (image && 'data' in image && image.width === side && image.data.length === side * side) return image
   throw new Missing(`its area ${area} is missing`)
+}
+
+function tileOf(image: ImageRecord | undefined, layer: string): SculptedTile {
+  if (image instanceof Int16Array && image.length === TILE_TEXELS) return image
+  throw new Missing(`its sculpted heights of ${layer} are missing`)
 }
 
 function damagedError(name: string, reason: string, cause?: unknown): FurrowError {

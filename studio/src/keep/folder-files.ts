@@ -1,8 +1,9 @@
 import type { WrinkleSetDocument } from 'furrow'
 import { fileNamesOf } from 'furrow/internal'
-import { addressOf, encodePortablePng, paintedArea, WRINKLES_FILE } from 'furrow-files'
+import { addressOf, encodePortablePng, encodeSculpted, paintedArea, WRINKLES_FILE } from 'furrow-files'
 import { MAP_NAMES, type MapName } from '../document/document.ts'
 import { type DocumentToPack, type PackedLayer, packedLayers } from '../document/packed-layers.ts'
+import { heightMapOf } from '../document/sculpted.ts'
 import { strokesDocument } from '../document/stroke-document.ts'
 import type { AvatarFile, FolderFile } from '../files/folder-files.ts'
 import {
@@ -17,7 +18,7 @@ import {
 const EXTENSIONS: Record<string, string> = { 'image/jpeg': 'jpg', 'image/webp': 'webp', 'image/avif': 'avif' }
 
 /**
- * Makes the files of a project folder for `furrow pack`: `wrinkles.json`, `layers/NAME/*.png`, `areas/NAME.png` (with the convention `paper`),
+ * Makes the files of a project folder for `furrow pack`: `wrinkles.json`, `layers/NAME/*.png` (`sculpted.png` holds sculpted heights), `areas/NAME.png` (with the convention `paper`),
  * `strokes.json` and `face.glb`. Data that these files cannot contain is in `studio.json`. A face with several files is in the folder `face`,
  * for `furrow pack --face`.
  *
@@ -96,6 +97,8 @@ function layerFiles(source: DocumentToPack): {
     ) as { [Name in MapName]?: string }
   const entries = packedLayers(source).map(({ layer, maps, drawn, heightAmplitude }, i) => {
     const { name, kind, maps: own, normalScale, occlusionStrength, bloodAmplitude, onsetStrength } = layer
+    const sculpted = `layers/${names[i]}/sculpted.png`
+    if (layer.sculpted) images.push({ path: sculpted, content: encodeSculpted(heightMapOf(layer.sculpted)) })
     if (drawn.length > 0) {
       const covered = Object.fromEntries(drawn.flatMap((map) => (own[map] ? [[map, own[map]]] : [])))
       const under = add(`${UNDER}/${names[i]}`, covered)
@@ -111,6 +114,7 @@ function layerFiles(source: DocumentToPack): {
       ...(heightAmplitude !== undefined && { heightAmplitude }),
       ...(bloodAmplitude !== undefined && { bloodAmplitude }),
       ...(onsetStrength !== undefined && { onsetStrength }),
+      ...(layer.sculpted && { sculpted: addressOf(sculpted) }),
     } as LayerEntry
   })
   return { images, entries, drawn: Object.fromEntries(replaced) }

@@ -1,8 +1,14 @@
 import { ImageUtils } from '@gltf-transform/core'
 import { areaWeights, type GrayImage, type WrinkleSetDocument } from 'furrow'
 import { parseStrokes, type StrokesDocument } from 'furrow/author'
-import { DEFAULT_AREA_SIZE, imageTypeOf, parseCorrections, resampleGray } from 'furrow/internal'
-import { folderDocument, WRINKLES_FILE } from 'furrow-files'
+import {
+  DEFAULT_AREA_SIZE,
+  imageTypeOf,
+  parseCorrections,
+  resampleGray,
+  resampleHeights,
+} from 'furrow/internal'
+import { decodeSculpted, folderDocument, WRINKLES_FILE } from 'furrow-files'
 import {
   AUTO_SETTINGS,
   type ImageFile,
@@ -14,6 +20,7 @@ import {
   type StudioLayer,
 } from '../document/document.ts'
 import { findNamed } from '../document/names.ts'
+import { type Sculpted, sculptedOf, sculptedSize } from '../document/sculpted.ts'
 import { bytesOf } from '../files/dropped-files.ts'
 import { Folder } from '../files/folder.ts'
 import type { AvatarFile } from '../files/folder-files.ts'
@@ -31,6 +38,8 @@ const WHO = 'Studio'
 const DEFAULTS = { scale: 1000, mapSize: 1024 } as const
 /** Maps that count as drawn from strokes in folders without `studio.json`. */
 const DRAWN: readonly MapName[] = ['normal', 'occlusion', 'height', 'onset']
+/** Maps that count as drawn from sculpted heights in such folders, if the layer has no strokes. */
+const SCULPTED: readonly MapName[] = ['normal', 'height']
 
 /** Decodes a gray image. Throws FurrowError if it is invalid. */
 export type DecodeGray = (bytes: Uint8Array, path: string, who: string) => Promise<GrayImage>
@@ -73,7 +82,9 @@ export async function readFolder(
     scale: scale ?? DEFAULTS.scale,
     mapSize: mapSize ?? DEFAULTS.mapSize,
     areaSize,
-    layers: await Promise.all(set.layers.map((layer) => readLayer(folder, layer, strokes, studio))),
+    layers: await Promise.all(
+      set.layers.map((layer) => readLayer(folder, layer, strokes, studio, mapSize ?? DEFAULTS.mapSize)),
+    ),
     areas: await Promise.all(set.areas.map((area) => readArea(folder, area, set, decode, studio))),
     strokes: (strokes?.strokes ?? []).map((stroke, i): LayerStroke => {
       const layer = findNamed(set.layers, stroke.layer ?? set.layers[0].name, 'layer').name
@@ -125,12 +136,16 @@ async function readLayer(
   entry: WrinkleSetDocument['layers'][number],
   strokes: StrokesDocument | undefined,
   studio: StudioFile,
+  mapSize: number,
 ): Promise<StudioLayer> {
   const { name, kind, normalScale = 1, occlusionStrength = 1, heightAmplitude } = entry
   const { bloodAmplitude, onsetStrength } = entry
   const hasStrokes = strokes?.strokes.some((stroke) => (stroke.layer ?? name) === name) ?? false
   const known = studio.layers?.[name]
-  const drawn = new Set(known?.drawn ?? (hasStrokes && !studio.layers ? DRAWN : []))
+  const sculpted = await readSculpted(folder, entry.sculpted, mapSize)
+  const isRaised = hasStrokes || sculpted !== undefined
+  const withoutRecord = hasStrokes ? DRAWN : SCULPTED
+  const drawn = new Set(known?.drawn ?? (isRaised && !studio.layers ? withoutRecord : []))
   const amplitude = drawn.has('height') ? known?.heightAmplitude : heightAmplitude
   const maps = await Promise.all(
     MAP_NAMES.map(async (map): Promise<[MapName, ImageFile] | undefined> => {
@@ -151,7 +166,20 @@ async function readLayer(
     ...(onsetStrength !== undefined && { onsetStrength }),
     ...(studio.automaticBlood?.includes(name) && entry.blood !== undefined && { isBloodAutomatic: true }),
     ...(drawn.has('onset') && entry.onset !== undefined && { isOnsetDrawn: true }),
+    ...(sculpted && sculpted.tiles.size > 0 && { sculpted }),
   }
+}
+
+/** Reads sculpted heights, and resamples them to the size that fits the maps. */
+async function readSculpted(
+  folder: Folder,
+  address: string | undefined,
+  mapSize: number,
+): Promise<Sculpted | undefined> {
+  if (address === undefined) return undefined
+  const bytes = await bytesOf(folder.file(address), address)
+  const size = sculptedSize(mapSize)
+  return sculptedOf(resampleHeights(await decodeSculpted(bytes, address, WHO), size, size))
 }
 
 async function readArea(

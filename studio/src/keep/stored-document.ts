@@ -18,6 +18,7 @@ import {
   type StudioDocument,
   type StudioLayer,
 } from '../document/document.ts'
+import { tileCount } from '../document/sculpted.ts'
 import { strokesDocument } from '../document/stroke-document.ts'
 import { parseAuto } from './studio-file.ts'
 
@@ -27,7 +28,16 @@ export type StoredDocument = Omit<StudioDocument, 'layers' | 'areas'> & {
   areas: StoredArea[]
 }
 
-type StoredLayer = Omit<StudioLayer, 'maps'> & { maps: { [Name in MapName]?: number } }
+type StoredLayer = Omit<StudioLayer, 'maps' | 'sculpted'> & {
+  maps: { [Name in MapName]?: number }
+  sculpted?: StoredSculpted
+}
+
+/** Sculpted heights with numbers in place of tiles. */
+export interface StoredSculpted {
+  size: number
+  tiles: [index: number, number: number][]
+}
 type StoredArea = Omit<StudioArea, 'weights'> & { weights: number }
 
 const WHO = 'Studio'
@@ -93,6 +103,7 @@ function parseLayer(reader: JsonReader, value: unknown, path: string): StoredLay
     onsetStrength,
     isBloodAutomatic,
     isOnsetDrawn,
+    sculpted,
   } = reader.object(value, path)
   const numbers = Object.entries(reader.object(maps, `${path}.maps`, MAP_NAMES))
   return {
@@ -114,7 +125,22 @@ function parseLayer(reader: JsonReader, value: unknown, path: string): StoredLay
     }),
     ...(isBloodAutomatic === true && { isBloodAutomatic }),
     ...(isOnsetDrawn === true && { isOnsetDrawn }),
+    ...(sculpted !== undefined && { sculpted: parseSculpted(reader, sculpted, `${path}.sculpted`) }),
   }
+}
+
+function parseSculpted(reader: JsonReader, value: unknown, path: string): StoredSculpted {
+  const fields = reader.object(value, path)
+  const size = reader.integer(fields.size, `${path}.size`, 1, MAX_IMAGE_SIDE)
+  const tiles = reader.array(fields.tiles, `${path}.tiles`, 1, tileCount(size)).map((item, i) => {
+    const at = `${path}.tiles[${i}]`
+    const [index, number] = reader.array(item, at, 2, 2)
+    return [reader.integer(index, at, 0, tileCount(size) - 1), imageNumber(reader, number, at)] as [
+      number,
+      number,
+    ]
+  })
+  return { size, tiles }
 }
 
 function parseArea(reader: JsonReader, value: unknown, path: string): StoredArea {

@@ -2,6 +2,7 @@ import { MAX_BLOOD_AMPLITUDE } from 'furrow/internal'
 import { useId, useRef } from 'preact/hooks'
 import { MAP_NAMES, type MapName, type StudioLayer } from '../document/document.ts'
 import { PLACES } from '../labels/page.ts'
+import { SCULPT } from '../labels/sculpt.ts'
 import type { LayerEditor } from '../session/layer-editor.ts'
 import { Choice } from './controls/choice.tsx'
 import { FileButton } from './controls/file-button.tsx'
@@ -95,6 +96,7 @@ interface LayerProps {
 function Layer({ layer, isShown, isFirst, isLast, hasStrokes, editor, attempt }: LayerProps) {
   const { name, kind, normalScale, maps, heightAmplitude, bloodAmplitude, onsetStrength, isOnsetDrawn } =
     layer
+  const { sculpted } = layer
   const id = useId()
   return (
     <details class="layer" open={isShown}>
@@ -170,6 +172,14 @@ function Layer({ layer, isShown, isFirst, isLast, hasStrokes, editor, attempt }:
           attempt={attempt}
         />
       ))}
+      {sculpted && (
+        <div class="map">
+          <span class="label">{SCULPT.sculpted}</span>
+          <button type="button" onClick={() => editor.resetSculpted(name)}>
+            {SCULPT.reset}
+          </button>
+        </div>
+      )}
       <Bake name={name} editor={editor} />
       <div class="add">
         <button

@@ -14,7 +14,7 @@ export type ExportState =
 export interface DrawnWork {
   drawn: DrawnDocument
   avatar: OpenedAvatar
-  /** Height maps drawn from strokes. The keys are names of the layers that have strokes. */
+  /** Drawn height maps. The keys are names of the layers that have strokes or sculpted heights. */
   heights: ReadonlyMap<string, HeightMap>
 }
 

@@ -10,6 +10,7 @@ import {
   renameLayer,
   setLayer,
   setMap,
+  setSculpted,
 } from '../document/layers.ts'
 import { freeName } from '../document/names.ts'
 import { bytesOf } from '../files/dropped-files.ts'
@@ -81,6 +82,11 @@ export class LayerEditor {
 
   removeMap(name: string, map: MapName): void {
     this.#edit(`Remove ${map} of ${name}`, (document) => setMap(document, name, map, undefined))
+  }
+
+  /** Removes what brushes have sculpted on a layer. */
+  resetSculpted(name: string): void {
+    this.#edit(`Reset sculpting of ${name}`, (document) => setSculpted(document, name, null))
   }
 
   /** Imports an image as a map of a layer, in one undo step; see `importMap`. Rejects with a FurrowError if the image is unsupported. */

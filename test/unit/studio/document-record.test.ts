@@ -34,6 +34,8 @@ describe('the record of a document', () => {
     [['layers', 0], null],
     [['layers', 0, 'maps'], { normal: 'x' }],
     [['layers', 0, 'normalScale'], Number.NaN],
+    [['layers', 1, 'sculpted'], { size: 64, tiles: [[1, 0]] }],
+    [['layers', 1, 'sculpted', 'size'], 0],
     [['areas', 0, 'activation'], 2],
     [['areas', 0, 'layer'], 'gone'],
     [['areas', 0, 'name'], {}],

@@ -1,7 +1,9 @@
 import { readFileSync } from 'node:fs'
 import { describe, expect, it } from 'vitest'
 import type { StudioDocument } from '../../../studio/src/document/document.ts'
+import { setSculpted } from '../../../studio/src/document/layers.ts'
 import type { DocumentToPack, StrokeMaps } from '../../../studio/src/document/packed-layers.ts'
+import { sculptedOf } from '../../../studio/src/document/sculpted.ts'
 import { exportDocument } from '../../../studio/src/export/export-document.ts'
 import { readDocument, readProject } from '../../../studio/src/export/read-document.ts'
 import { readFace } from '../../../studio/src/export/read-face.ts'
@@ -48,6 +50,13 @@ function withLines(document: StudioDocument): StudioDocument {
   const [age, ...others] = document.layers
   const layers = [age, ...others.map((layer) => ({ ...layer, maps: {} }))]
   return { ...document, mapSize: SIDE, layers, strokes: [strokeOf('age', 'brow')] }
+}
+
+/** Returns a document whose first layer has sculpted heights and no stroke. */
+function withSculpted(document: StudioDocument): StudioDocument {
+  const data = new Float32Array(SIDE ** 2).fill(0.25, 100)
+  const { strokes: _, ...lined } = withLines(document)
+  return setSculpted({ ...lined, strokes: [] }, 'age', sculptedOf({ width: SIDE, height: SIDE, data }))
 }
 
 /** Writes the folder of a document with a face, and returns its path. */
@@ -98,15 +107,17 @@ describe('a project', () => {
     const { document } = await readProject(opened(files), 'whole')
     const images = { document, drawn: new Map() }
     const lines = { document: withLines(document), drawn: new Map([['age', LINES]]) }
+    const sculpted = { document: withSculpted(document), drawn: new Map([['age', LINES]]) }
     const ofEyes = ['--size', '8', '--area-size', '64', '--mesh', 'eyes']
     for (const [source, options, words] of [
       [images, {}, []],
       [lines, {}, []],
+      [sculpted, {}, []],
       [lines, { size: 8, areaSize: 64, mesh: 'eyes' }, ofEyes],
       [images, { size: 8, areaSize: 16, ktx2: true }, ['--size', '8', '--area-size', '16', '--ktx2']],
     ] as const) {
       const [folder, out] = [
-        saved(source === lines ? 'lines' : 'images', source, face.bytes),
+        saved(source === images ? 'images' : source === lines ? 'lines' : 'sculpted', source, face.bytes),
         shop.path('out.glb'),
       ]
       await shop.run('pack', folder, '-o', out, ...words)

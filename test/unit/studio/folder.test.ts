@@ -118,11 +118,12 @@ describe('the folder of a project', () => {
   })
 
   it('can store a document without areas, strokes, drivers and maps', async () => {
+    const { sculpted: _, ...layer } = sampleDocument().layers[1]
     const bare: StudioDocument = {
       scale: 10,
       mapSize: 32,
       areaSize: 8,
-      layers: [sampleDocument().layers[1]],
+      layers: [layer],
       areas: [],
       strokes: [],
       drivers: [],

@@ -6,6 +6,7 @@ import {
   type StudioArea,
   type StudioDocument,
 } from '../../../studio/src/document/document.ts'
+import { type Sculpted, sculptedOf } from '../../../studio/src/document/sculpted.ts'
 import { across } from '../../strokes.ts'
 
 const AREA_SIZE = 4
@@ -43,6 +44,13 @@ export const DRIVERS: readonly WrinkleDriver[] = parseDrivers(
   ['forehead', 'frown', 'cheeks'],
 )
 
+/** Sculpted heights for maps of 64 x 64 texels: the row `y` is 0.5 mm high, and its first texel 1.234 mm deep. */
+export function sculptedAt(y: number): Sculpted {
+  const data = new Float32Array(64 ** 2).fill(0.5, y * 64, (y + 1) * 64)
+  data[y * 64] = -1.234
+  return sculptedOf({ width: 64, height: 64, data })
+}
+
 /** Makes a document of two layers, three areas, three strokes with shapes, and DRIVERS. */
 export function sampleDocument(): StudioDocument {
   const normal = { mimeType: 'image/png', bytes: Uint8Array.of(1, 2, 3) }
@@ -54,7 +62,7 @@ export function sampleDocument(): StudioDocument {
     areaSize: AREA_SIZE,
     layers: [
       { ...LAYER_DEFAULTS, name: 'up', maps: { normal } },
-      { ...LAYER_DEFAULTS, name: 'down' },
+      { ...LAYER_DEFAULTS, name: 'down', sculpted: sculptedAt(3) },
     ],
     areas: [areaOf('forehead', 'up'), areaOf('frown', 'down'), areaOf('cheeks', 'down')],
     strokes: [

@@ -2,13 +2,12 @@ import { performance } from 'node:perf_hooks'
 import { Option } from 'commander'
 import { FurrowError } from 'furrow'
 import { BAKE_DEFAULTS, type BakedMaps, type BakeOptions, bakeMaps } from 'furrow/author'
-import { MAX_IMAGE_SIDE, meshDiagonal } from 'furrow/internal'
+import { HEIGHT_STEPS_PER_MM, MAX_IMAGE_SIDE, meshDiagonal } from 'furrow/internal'
 import { DEFAULT_CAGE, type OutputFile, raySourceOf, withCommandErrors } from 'furrow-files'
 import {
   encodeHeight,
   encodeNormalMap,
   encodePng,
-  HEIGHT_STEPS_PER_MM,
   HEIGHT_ZERO,
   MAX_HEIGHT,
   readLow,

@@ -12,7 +12,7 @@ import {
   strokesToHeight,
   type TangentFrame,
 } from 'furrow/author'
-import { addFurrows, DEFAULT_AREA_SIZE } from 'furrow/internal'
+import { addFurrows, DEFAULT_AREA_SIZE, HEIGHT_STEPS_PER_MM } from 'furrow/internal'
 import { jsonFile, type OutputFile, STROKES_FILE, WRINKLES_FILE } from 'furrow-files'
 import {
   decodeNormalMap,
@@ -21,7 +21,6 @@ import {
   encodeHeight,
   encodeRgbaNormalMap,
   type FaceMesh,
-  HEIGHT_STEPS_PER_MM,
   HEIGHT_ZERO,
   type OpenSet,
   readBytes,

@@ -1,5 +1,5 @@
-/** Steps of a 16-bit height image per millimetre. */
-export const HEIGHT_STEPS_PER_MM = 1000
+import { HEIGHT_STEPS_PER_MM } from 'furrow/internal'
+
 /** Value of height 0 in a 16-bit height image. */
 export const HEIGHT_ZERO = 32768
 /** Largest height above or below 0 that a 16-bit height image can store, millimetres. */

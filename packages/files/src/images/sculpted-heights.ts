@@ -1,8 +1,9 @@
 import { decode, encode } from 'fast-png'
 import { FurrowError } from 'furrow'
 import type { HeightMap } from 'furrow/author'
+import { HEIGHT_STEPS_PER_MM } from 'furrow/internal'
 import { measureImage } from '#images'
-import { HEIGHT_STEPS_PER_MM, HEIGHT_ZERO, heightSteps } from './height-steps.ts'
+import { HEIGHT_ZERO, heightSteps } from './height-steps.ts'
 import { withImageErrors } from './image-errors.ts'
 
 /** Encodes sculpted heights as 16-bit gray PNG, like `encodeHeight`. The bytes are equal in Node and in all browsers. */

@@ -7,6 +7,9 @@ import type { HeightMap } from './height.ts'
 /** Maximum height above or below smooth skin to which sculpting moves skin, millimetres. */
 export const MAX_SCULPTED = 1000 * MAX_RELIEF
 
+/** Steps of 16-bit height images, and of sculpted heights, per millimetre. */
+export const HEIGHT_STEPS_PER_MM = 1000
+
 /**
  * Adds a sculpted height to the height of strokes, in millimetres. Sculpting moves skin at most `MAX_SCULPTED` up or down. Where strokes alone
  * exceed this, sculpting does not move skin farther from smooth skin.
