@@ -16,6 +16,7 @@ import type { Saving } from './session/saving.ts'
 import type { ShapeEditor } from './session/shape-editor.ts'
 import type { Workspace } from './session/workspace.ts'
 import type { Painting } from './tools/painting.ts'
+import type { Sculpting } from './tools/sculpting.ts'
 import type { ToolChoice } from './tools/tool-choice.ts'
 import type { ShownFace } from './viewer/shown-face.ts'
 import type { ViewerHost } from './viewer/viewer-host.ts'
@@ -33,6 +34,7 @@ export interface PanelParts {
   shapes: ShapeEditor
   painting: Painting
   fill: FillOffer
+  sculpting: Sculpting
   tools: ToolChoice
   opening: Opening
   host: ViewerHost
@@ -47,7 +49,7 @@ export interface PanelParts {
 export function panelModel(parts: PanelParts): PanelModel {
   const { workspace, saving, face, lines, areas, faceAreas, images, layers, shapes, painting, fill, tools } =
     parts
-  const { opening, host, downloads, link, messages, faces, dialogs, hints } = parts
+  const { sculpting, opening, host, downloads, link, messages, faces, dialogs, hints } = parts
   const { session, automatic, exporting, keeping, settings } = workspace
   const { viewer, frame, revision, expression, hovered, staging, player, meshes, pictures } = face
   return {
@@ -59,6 +61,7 @@ export function panelModel(parts: PanelParts): PanelModel {
     shapes,
     painting,
     fill,
+    sculpting,
     tools,
     auto: settings,
     autoRun: automatic.run,

@@ -24,6 +24,7 @@ export const SHORTCUTS = {
     erase: ['e'],
     paint: ['b'],
     polygon: ['p'],
+    sculpt: ['c'],
     mirror: ['m'],
   },
   face: {

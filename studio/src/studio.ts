@@ -35,7 +35,9 @@ import { showShell } from './shell/shell.tsx'
 import { addShortcuts } from './shortcuts.ts'
 import { isStatisticsShown } from './statistics.ts'
 import { TextureToggle } from './texture/texture-toggle.ts'
+import { FaceSkin } from './tools/face-skin.ts'
 import { Painting } from './tools/painting.ts'
+import { Sculpting } from './tools/sculpting.ts'
 import { ToolChoice } from './tools/tool-choice.ts'
 import { ToolHost } from './tools/tool-host.ts'
 import { adapterName } from './viewer/adapter.ts'
@@ -64,6 +66,7 @@ export class Studio {
   readonly #resume: Resume
   readonly #reveal: Reveal
   readonly #painting: Painting
+  readonly #sculpting: Sculpting
   readonly #view = new DocumentView()
   readonly #lines: Lines
   readonly #tools = new ToolChoice()
@@ -149,10 +152,12 @@ export class Studio {
       onDropped: (avatar) => this.#reveal.await(avatar),
     })
     const tools = new ToolHost(page.viewport, () => this.#viewer?.stage.camera ?? null)
+    const skin = new FaceSkin({ session, viewer: this.#face.viewer, wake, attempt })
     this.#painting = new Painting({
       session,
       areas,
       viewer: this.#face.viewer,
+      face: skin,
       host: tools,
       stage: page.stage,
       wake,
@@ -164,6 +169,15 @@ export class Studio {
       areas,
       canvas: async () => (await this.#lines.readySkin())?.canvas ?? null,
       attempt,
+    })
+    this.#sculpting = new Sculpting({
+      session,
+      areas,
+      viewer: this.#face.viewer,
+      face: skin,
+      host: tools,
+      stage: page.stage,
+      wake,
     })
     const pointer = new FacePointer({
       stage: page.viewport,
@@ -201,11 +215,18 @@ export class Studio {
       session,
       areas,
       painting: this.#painting,
+      sculpting: this.#sculpting,
       lines: this.#lines,
       viewer: this.#face.viewer,
       attempt,
     })
-    bindTools(this.#tools, { session, areas, painting: this.#painting, lines: this.#lines.editor })
+    bindTools(this.#tools, {
+      session,
+      areas,
+      painting: this.#painting,
+      sculpting: this.#sculpting,
+      lines: this.#lines.editor,
+    })
     effect(() => this.#workspace.prepareEdit(this.#lines.editor.chosen.value))
     showShell(
       panelModel({
@@ -220,6 +241,7 @@ export class Studio {
         shapes: new ShapeEditor(session, this.#workspace.source),
         painting: this.#painting,
         fill,
+        sculpting: this.#sculpting,
         tools: this.#tools,
         opening: this.#opening,
         host: this.#host,
@@ -354,6 +376,7 @@ export class Studio {
     this.#face.advance(delta)
     this.#reveal.advance()
     this.#painting.advance()
+    this.#sculpting.advance()
     this.#host.orbit?.advance(delta)
     this.#views.show(this.#host.orbit?.view ?? null)
   }
@@ -362,9 +385,10 @@ export class Studio {
     return this.#face.isMoving || this.#reveal.isMoving || (this.#host.orbit?.isMoving ?? false)
   }
 
-  /** Whether the user paints an area or edits lines. The face then keeps its pose. */
+  /** Whether the user paints an area, sculpts or edits lines. The face then keeps its pose. */
   get #isEdited(): boolean {
-    return this.#painting.area.value !== null || this.#lines.editor.isEditing.value
+    const isPainted = this.#painting.area.value !== null || this.#sculpting.isOn.value
+    return isPainted || this.#lines.editor.isEditing.value
   }
 
   /** Looks at the chosen line or region, or at the whole face. */

@@ -6,6 +6,11 @@ const LEAST = 40
 /** Names of areas of blood. They cover several regions, so the pointer prefers others. */
 const BLOOD = /^(flush|pale)/
 
+/** Whether an area shows blood and no wrinkles. */
+export function isBloodArea({ name }: StudioArea): boolean {
+  return BLOOD.test(name)
+}
+
 /** Returns the name of the area with the greatest weight at a point of the skin, or null if no area covers the point. */
 export function areaAt(areas: readonly StudioArea[], [u, v]: Uv): string | null {
   let best: { name: string; weight: number } | null = null

@@ -22,6 +22,7 @@ export const TOOLS = {
   erase: 'Erase',
   paint: 'Paint',
   polygon: 'Polygon',
+  sculpt: 'Sculpt',
   mirror: 'Mirror',
 } as const
 

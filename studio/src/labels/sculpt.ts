@@ -14,6 +14,5 @@ export const SCULPT = {
   removeStamp: 'Remove the stamp',
   sculpted: 'Sculpted heights',
   reset: 'Reset sculpting',
-  hint: `Drag on the face. A harder press of a pen has more effect. Keys: [ and ] for the size, X for raise or lower, M for both halves, Esc to take
-a stroke back.`,
+  hint: 'Drag on the face. A harder press of a pen has more effect. Keys: [ and ] for the size, X for raise or lower, M for both halves, Esc to take a stroke back.',
 } as const

@@ -44,7 +44,7 @@ export const SHORTCUT_LABELS: { readonly [scope in Scope]: Readonly<Record<Short
   painting: {
     smaller: 'Smaller brush',
     larger: 'Larger brush',
-    swap: 'Exchange adding and removing',
+    swap: 'Exchange adding and removing, or raising and lowering',
   },
   polygon: {
     close: 'Close the polygon',

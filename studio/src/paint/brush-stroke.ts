@@ -1,9 +1,9 @@
 import type { GrayImage } from 'furrow'
-import type { Brush } from './brush.ts'
+import type { Brush, SculptBrush } from './brush.ts'
 import { Dabs } from './dabs.ts'
 import type { PaintMap } from './paint-map.ts'
 import type { PaintSkin, SkinPoint } from './paint-skin.ts'
-import type { Painted, Rectangle } from './painted.ts'
+import type { Painted, PaintedImage, Rectangle } from './painted.ts'
 import { skinPath } from './skin-path.ts'
 import { distanceBetween } from './vectors.ts'
 import type { Sight } from './visible-places.ts'
@@ -13,17 +13,21 @@ import type { Sight } from './visible-places.ts'
  * from the coverage of a continuous brush.
  */
 const SPACING = 0.08
+/** Distance between dabs with a stamp: they lie side by side. */
+const STAMP_SPACING = 2
 /** Maximum step of a stroke that is drawn in the texture, texels. */
 const TEXTURE_STEP = 0.5
 /** A step in the texture crosses a UV seam if its length on the skin is more than this multiple of `TEXTURE_STEP`, converted to millimetres. */
 const JUMP = 10
 
-/** Brush stroke on an area: dabs at even distances on the skin, whatever the distances between pointer events. */
-export class BrushStroke {
+/** Brush stroke on an image: dabs at even distances on the skin, whatever the distances between pointer events. */
+export class BrushStroke<Image extends PaintedImage = GrayImage> {
   readonly #isFill: boolean
   readonly #skin: PaintSkin
   readonly #map: PaintMap
-  readonly #dabs: Dabs
+  readonly #dabs: Dabs<Image>
+  /** Distance between dabs as a fraction of the radius. */
+  readonly #spacing: number
   #last: SkinPoint | undefined
   #lastPressure = 1
   #lastUv: readonly [u: number, v: number] | undefined
@@ -32,19 +36,20 @@ export class BrushStroke {
   readonly #weights = new Float64Array(3)
 
   /**
-   * @param image square area, not modified.
+   * @param image square image, not modified.
    * @param sight visibility test. Without it, hidden skin is painted too. Ignored in the mode `fill`.
    * @throws FurrowError if a brush setting is out of range, or the image cannot be painted.
    */
-  constructor(image: GrayImage, brush: Brush, skin: PaintSkin, sight?: Sight) {
+  constructor(image: Image, brush: Brush | SculptBrush, skin: PaintSkin, sight?: Sight) {
     this.#dabs = new Dabs(image, brush, skin, sight)
     this.#map = skin.mapOf(image.width)
     this.#isFill = brush.mode === 'fill'
+    this.#spacing = brush.stamp ? STAMP_SPACING : SPACING
     this.#skin = skin
   }
 
-  /** Painted area. Its data changes with each dab. */
-  get image(): GrayImage {
+  /** Painted image. Its data changes with each dab. */
+  get image(): Image {
     return this.#dabs.image
   }
 
@@ -76,7 +81,7 @@ export class BrushStroke {
     return this.#dabs.takeChanged()
   }
 
-  end(): Painted {
+  end(): Painted<Image> {
     return { image: this.image, dirty: this.#dabs.changed }
   }
 
@@ -137,6 +142,6 @@ export class BrushStroke {
   }
 
   #spacingAt(point: SkinPoint): number {
-    return SPACING * this.#dabs.radiusAt(point)
+    return this.#spacing * this.#dabs.radiusAt(point)
   }
 }

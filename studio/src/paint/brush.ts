@@ -1,5 +1,6 @@
 import { FurrowError } from 'furrow'
 import { smoothstep } from 'furrow/internal'
+import type { Stamp } from './stamp.ts'
 
 /** Brush modes. Fill acts only at the start of a stroke. */
 export const BRUSH_MODES = ['add', 'remove', 'smooth', 'fill'] as const
@@ -11,8 +12,25 @@ export type BrushMode = (typeof BRUSH_MODES)[number]
  * target exceeds the coverage, the coverage moves by the fraction `flow` towards the target. A stroke that crosses itself therefore never
  * exceeds its opacity.
  */
-export interface Brush {
+export interface Brush extends DabShape {
   mode: BrushMode
+}
+
+/** Modes of a brush that sculpts heights. Flatten changes heights towards the mean height under the first dab. */
+export const SCULPT_MODES = ['raise', 'lower', 'smooth', 'flatten'] as const
+export type SculptMode = (typeof SCULPT_MODES)[number]
+
+/** Settings of a brush that sculpts heights. Heights are in the unit of the image that it changes. */
+export interface SculptBrush extends DabShape {
+  mode: SculptMode
+  /** Change of the height where the coverage is 1, in the modes `raise` and `lower`. */
+  rise: number
+  /** Maximum height above or below 0. */
+  limit: number
+}
+
+/** Settings that all brushes share. */
+export interface DabShape {
   /** Radius, millimetres. */
   radius: number
   /** Width of the soft edge as a fraction of the radius, 0..1. */
@@ -23,6 +41,8 @@ export interface Brush {
   opacity: number
   /** Whether to also paint the mirror image of the stroke. */
   mirror: boolean
+  /** Image that shapes each dab. Dabs of a stroke then lie side by side. */
+  stamp?: Stamp | undefined
 }
 
 export const BRUSH_DEFAULTS = {
@@ -37,9 +57,20 @@ export const BRUSH_DEFAULTS = {
 /** Minimum and maximum radius, millimetres: about the sizes of a pore and a head. */
 export const BRUSH_RADII = [0.1, 150] as const
 
+/** Factor by which a key press changes the radius. */
+const SIZE_STEP = 1.15
+
+/** Returns the next smaller or larger radius, millimetres. */
+export function resized(radius: number, change: 'smaller' | 'larger'): number {
+  const [least, most] = BRUSH_RADII
+  return Math.min(Math.max(change === 'larger' ? radius * SIZE_STEP : radius / SIZE_STEP, least), most)
+}
+
 /** @throws FurrowError if a setting is out of range. */
-export function checkBrush({ mode, radius, softness, flow, opacity }: Brush): void {
-  if (!BRUSH_MODES.includes(mode)) throw rangeError('mode', mode, BRUSH_MODES.join(', '))
+export function checkBrush(brush: Brush | SculptBrush): void {
+  const { mode, radius, softness, flow, opacity } = brush
+  const modes: readonly string[] = 'rise' in brush ? SCULPT_MODES : BRUSH_MODES
+  if (!modes.includes(mode)) throw rangeError('mode', mode, modes.join(', '))
   const [least, most] = BRUSH_RADII
   if (!(radius >= least && radius <= most)) throw rangeError('radius', radius, `${least} to ${most} mm`)
   if (!(softness >= 0 && softness <= 1)) throw rangeError('softness', softness, '0 to 1')

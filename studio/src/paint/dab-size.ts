@@ -1,4 +1,4 @@
-import type { Brush } from './brush.ts'
+import type { DabShape } from './brush.ts'
 import type { PaintMap } from './paint-map.ts'
 
 /** Minimum radius of a dab in texels, so that the brush covers at least one texel. */
@@ -12,11 +12,11 @@ const FILTERED = 0.4
 type Sizes = Pick<PaintMap, 'texelSizes'>
 
 /** Returns the radius of a dab on a triangle, millimetres: that of the brush, or the smallest that the texels can hold. */
-export function dabRadius({ texelSizes }: Sizes, { radius }: Brush, triangle: number): number {
+export function dabRadius({ texelSizes }: Sizes, { radius }: Pick<DabShape, 'radius'>, triangle: number): number {
   return Math.max(radius, MIN_RADIUS * texelSizes[triangle])
 }
 
 /** Returns the radius up to which a dab is visible on a triangle, millimetres. */
-export function visibleRadius(map: Sizes, brush: Brush, triangle: number): number {
+export function visibleRadius(map: Sizes, brush: Pick<DabShape, 'radius' | 'softness'>, triangle: number): number {
   return dabRadius(map, brush, triangle) + FILTERED * (1 - brush.softness) * map.texelSizes[triangle]
 }

@@ -1,12 +1,13 @@
 import type { GrayImage } from 'furrow'
-import { type Brush, checkBrush, falloff } from './brush.ts'
+import { type Brush, checkBrush, falloff, type SculptBrush } from './brush.ts'
 import { dabRadius } from './dab-size.ts'
 import { visitFilled } from './fill.ts'
 import { checkPaintable, type PaintMap } from './paint-map.ts'
 import type { PaintSkin, SkinPoint } from './paint-skin.ts'
-import { Bounds, covered, type Rectangle } from './painted.ts'
+import { Bounds, covered, type PaintedImage, type Rectangle } from './painted.ts'
 import { Reach } from './reach.ts'
 import { Smoother } from './smoother.ts'
+import { PlacedStamp } from './stamp.ts'
 import { type Sight, VisiblePlaces } from './visible-places.ts'
 
 /**
@@ -22,20 +23,24 @@ const MIN_CELL = 1.5
 const CELLS_AROUND = 2
 
 /**
- * Applies dabs (imprints of a brush) to the weights of an area. A dab paints the skin inside a sphere that is connected with the sphere's centre by
- * skin inside the sphere. So a dab on one lip does not paint the other lip. Skin is also connected across UV seams.
+ * Applies dabs (imprints of a brush) to an image: the weights of an area, or heights. A dab paints the skin inside a sphere that is connected with the
+ * sphere's centre by skin inside the sphere. So a dab on one lip does not paint the other lip. Skin is also connected across UV seams.
  *
  * In the code, a place is a pair of a texel and a triangle that contains it; see `PaintMapArrays`.
  */
-export class Dabs {
-  /** Painted area. Its data changes with each dab. */
-  readonly image: GrayImage
-  readonly #before: GrayImage
-  readonly #brush: Brush
+export class Dabs<Image extends PaintedImage = GrayImage> {
+  /** Painted image. Its data changes with each dab. */
+  readonly image: Image
+  readonly #before: Image
+  readonly #brush: Brush | SculptBrush
+  /** Lowest and highest value of a texel. */
+  readonly #range: readonly [least: number, most: number]
+  /** Mean value under the first dab, in the mode `flatten`. */
+  #level: number | undefined
   readonly #skin: PaintSkin
   readonly #map: PaintMap
   readonly #reach: Reach
-  /** Coverage of each texel, 0..1. In the mode `smooth`, the weight of each texel before rounding, 0..255. */
+  /** Coverage of each texel, 0..1. In the mode `smooth`, the value of each texel before rounding. */
   readonly #state: Float32Array
   /** Target coverage of each texel in the current dab, 0..1. */
   readonly #target: Float32Array
@@ -50,24 +55,24 @@ export class Dabs {
   readonly #allBounds: Bounds
 
   /**
-   * @param image square area, not modified.
+   * @param image square image, not modified.
    * @param sight visibility test. Without it, hidden skin is painted too. Ignored in the mode `fill`.
    * @throws FurrowError if a brush setting is out of range, or the image cannot be painted.
    */
-  constructor(image: GrayImage, brush: Brush, skin: PaintSkin, sight?: Sight) {
+  constructor(image: Image, brush: Brush | SculptBrush, skin: PaintSkin, sight?: Sight) {
     checkBrush(brush)
     checkPaintable(image)
     this.#map = skin.mapOf(image.width)
     this.#before = image
     this.image = { ...image, data: image.data.slice() }
     this.#brush = { ...brush }
+    this.#range = 'limit' in brush ? [-brush.limit, brush.limit] : [0, 255]
     this.#skin = skin
     this.#reach = new Reach(skin.surface)
     const smoothed = brush.mode === 'smooth' ? image.data.length : 0
     this.#sums = new Float32Array(smoothed)
     this.#counts = new Uint8Array(smoothed)
-    this.#state =
-      brush.mode === 'smooth' ? Float32Array.from(image.data) : new Float32Array(image.data.length)
+    this.#state = brush.mode === 'smooth' ? new Float32Array(image.data) : new Float32Array(image.data.length)
     this.#target = new Float32Array(image.data.length)
     this.#seen = sight
       ? [false, true].map((isMirrored) => new VisiblePlaces(skin, this.#map, sight, isMirrored))
@@ -98,7 +103,10 @@ export class Dabs {
     const strength = this.#brush.opacity * Math.min(Math.max(pressure, 0), 1)
     if (!(strength > 0)) return
     const centres = this.#sidesOf(point)
-    for (const [side, centre] of centres.entries()) this.#setTargets(centre, strength, side)
+    const { stamp } = this.#brush
+    const placed = stamp && new PlacedStamp(stamp, this.#skin.surface, point)
+    for (const [side, centre] of centres.entries()) this.#setTargets(centre, strength, side, placed)
+    if (this.#brush.mode === 'flatten') this.#level ??= this.#meanOfTouched()
     if (this.#brush.mode === 'smooth') this.#smooth(centres)
     else this.#cover()
     for (const texel of this.#touched) this.#target[texel] = 0
@@ -109,7 +117,7 @@ export class Dabs {
   fill(point: SkinPoint): void {
     for (const each of this.#sidesOf(point)) {
       visitFilled(this.#skin, this.#map, this.#before, each, (texel) => {
-        this.#write(texel, covered(this.#before.data[texel], this.#brush.opacity, 'add'))
+        this.#write(texel, this.#valueOf(this.#before.data[texel], this.#brush.opacity))
       })
     }
   }
@@ -120,7 +128,7 @@ export class Dabs {
   }
 
   /** Sets `#target` for the texels inside a dab. */
-  #setTargets(centre: SkinPoint, strength: number, side: number): void {
+  #setTargets(centre: SkinPoint, strength: number, side: number, stamp: PlacedStamp | undefined): void {
     const { softness } = this.#brush
     const radius = this.radiusAt(centre)
     const target = this.#target
@@ -128,7 +136,8 @@ export class Dabs {
       centre,
       radius + PAD * this.#map.texelSizes[centre.triangle],
       (place, triangle, distance) => {
-        const value = strength * falloff(distance, radius, softness)
+        const shape = stamp ? stamp.at(...this.#offsetOf(place, centre, radius, side)) : 1
+        const value = strength * shape * falloff(distance, radius, softness)
         const texel = this.#map.texels[place]
         if (value <= target[texel] || !(this.#seen[side]?.has(place, triangle) ?? true)) return
         if (target[texel] === 0) this.#touched.push(texel)
@@ -137,18 +146,42 @@ export class Dabs {
     )
   }
 
-  /** Raises the coverage towards `#target`, and updates the weights. */
+  /** Returns the position of a place from the centre of a dab, in radii. A dab on the other side is mirrored. */
+  #offsetOf(place: number, centre: SkinPoint, radius: number, side: number): [number, number, number] {
+    const [x, y, z] = centre.position.map((value, k) => (this.#map.positions[3 * place + k] - value) / radius)
+    return [side === 0 ? x : -x, y, z]
+  }
+
+  #meanOfTouched(): number {
+    let [sum, weight] = [0, 0]
+    for (const texel of this.#touched) {
+      sum += this.#target[texel] * this.#before.data[texel]
+      weight += this.#target[texel]
+    }
+    return weight > 0 ? sum / weight : 0
+  }
+
+  /** Returns the value of a texel. @param before value before the stroke. @param coverage 0..1. */
+  #valueOf(before: number, coverage: number): number {
+    const brush = this.#brush
+    if ('rise' in brush) {
+      if (brush.mode === 'flatten') return before + coverage * ((this.#level ?? before) - before)
+      return before + coverage * (brush.mode === 'lower' ? -brush.rise : brush.rise)
+    }
+    return covered(before, coverage, brush.mode === 'remove' ? 'remove' : 'add')
+  }
+
+  /** Raises the coverage towards `#target`, and updates the values. */
   #cover(): void {
-    const mode = this.#brush.mode === 'remove' ? 'remove' : 'add'
     for (const texel of this.#touched) {
       const missing = this.#target[texel] - this.#state[texel]
       if (missing <= 0) continue
       this.#state[texel] += this.#brush.flow * missing
-      this.#write(texel, covered(this.#before.data[texel], this.#state[texel], mode))
+      this.#write(texel, this.#valueOf(this.#before.data[texel], this.#state[texel]))
     }
   }
 
-  /** Changes the weights towards local means: means over a few cells of the smoothing grid (`CELL`). */
+  /** Changes the values towards local means: means over a few cells of the smoothing grid (`CELL`). */
   #smooth(centres: readonly SkinPoint[]): void {
     const { texels, positions, isBeyondIsland, texelSizes } = this.#map
     for (const centre of centres) {
@@ -172,7 +205,7 @@ export class Dabs {
         this.#counts[texel]++
       })
     }
-    // Change weights only now, because the dab and its mirror image can share texels.
+    // Change values only now, because the dab and its mirror image can share texels.
     for (const texel of this.#touched) {
       if (this.#counts[texel] === 0) continue
       const mean = this.#sums[texel] / this.#counts[texel]
@@ -183,8 +216,9 @@ export class Dabs {
     }
   }
 
-  #write(texel: number, weight: number): void {
-    const rounded = Math.round(weight)
+  #write(texel: number, value: number): void {
+    const [least, most] = this.#range
+    const rounded = Math.round(Math.min(Math.max(value, least), most))
     if (this.image.data[texel] === rounded) return
     this.image.data[texel] = rounded
     this.#bounds.add(texel)

@@ -1,7 +1,7 @@
-import type { GrayImage } from 'furrow'
 import { barycentricsAt, walk } from 'furrow/internal'
 import type { PaintMap } from './paint-map.ts'
 import type { PaintSkin, SkinPoint } from './paint-skin.ts'
+import type { PaintedImage } from './painted.ts'
 
 /** Minimum weight of an outline that stops the fill, 0..255. */
 const ENCLOSING = 128
@@ -22,7 +22,7 @@ const NONE = -1
 export function visitFilled(
   { surface, skin }: PaintSkin,
   map: PaintMap,
-  { data }: GrayImage,
+  { data }: PaintedImage,
   start: SkinPoint,
   visit: (texel: number) => void,
 ): void {

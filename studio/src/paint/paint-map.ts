@@ -1,9 +1,10 @@
-import { FurrowError, type GrayImage } from 'furrow'
+import { FurrowError } from 'furrow'
 import type { Skin } from 'furrow/author'
 import { mapSkin, type SkinSurface, type SkinTexels, type UvGrid, type UvLocator } from 'furrow/internal'
+import type { PaintedImage } from './painted.ts'
 
 /** Minimum and maximum width of maps that can be painted, texels. */
-const PAINTED_SIDES = [2, 1024] as const
+const PAINTED_SIDES = [2, 2048] as const
 
 /** Barycentric coordinate below which a texel is outside its triangle. */
 const OUTSIDE = -1e-6
@@ -35,7 +36,7 @@ export interface PaintMap extends Omit<PaintMapArrays, 'grid'> {
   readonly locator: UvLocator
 }
 
-/** @throws FurrowError if the size is not an integer from 2 to 1024. */
+/** @throws FurrowError if the size is not an integer from 2 to 2048. */
 export function paintMapArrays(
   skin: Pick<Skin, 'uvs' | 'indices'>,
   surface: SkinSurface,
@@ -86,12 +87,12 @@ function findPlaces(skinTexels: SkinTexels, surface: SkinSurface) {
 }
 
 /** @throws FurrowError if the image is not square or its data is incomplete. */
-export function checkPaintable({ width, height, data }: GrayImage): void {
+export function checkPaintable({ width, height, data }: PaintedImage): void {
   if (width === height && data.length === width * height) return
   throw new FurrowError({
     who: 'Studio',
     problem: 'a painted area is not square, or its data is incomplete',
-    value: `${width} x ${height} texels, ${data.length} bytes`,
+    value: `${width} x ${height} texels, ${data.length} values`,
     remedy: 'resample the area',
   })
 }

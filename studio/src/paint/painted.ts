@@ -7,10 +7,20 @@ export interface Rectangle {
   height: number
 }
 
+/** Square image that brushes change: weights of an area, or heights in whole steps. */
+export type PaintedImage = Omit<GrayImage, 'data'> & { readonly data: Uint8Array | Int16Array }
+
 /** Result of painting: the new image and its changed texels, if any. */
-export interface Painted {
-  image: GrayImage
+export interface Painted<Image extends PaintedImage = GrayImage> {
+  image: Image
   dirty: Rectangle | undefined
+}
+
+/** Returns the smallest rectangle that contains two others. */
+export function around(a: Rectangle, b: Rectangle): Rectangle {
+  const [x, y] = [Math.min(a.x, b.x), Math.min(a.y, b.y)]
+  const width = Math.max(a.x + a.width, b.x + b.width) - x
+  return { x, y, width, height: Math.max(a.y + a.height, b.y + b.height) - y }
 }
 
 export class Bounds {

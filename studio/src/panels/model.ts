@@ -17,6 +17,7 @@ import type { LayerEditor } from '../session/layer-editor.ts'
 import type { Session } from '../session/session.ts'
 import type { ShapeEditor } from '../session/shape-editor.ts'
 import type { Painting } from '../tools/painting.ts'
+import type { Sculpting } from '../tools/sculpting.ts'
 import type { ToolChoice } from '../tools/tool-choice.ts'
 import type { Hovered } from '../viewer/hovered.ts'
 import type { Look } from '../viewer/looks/look.ts'
@@ -46,6 +47,7 @@ export interface PanelModel {
   readonly painting: Painting
   /** Offer to fill painted skin with lines. */
   readonly fill: FillOffer
+  readonly sculpting: Sculpting
   readonly tools: ToolChoice
   /** Names of the shipped faces. */
   readonly faces: ReadonlySignal<readonly string[]>

@@ -3,6 +3,7 @@ import type { LineEditor, LineMode } from '../lines/line-editor.ts'
 import type { AreaEditor } from '../session/area-editor.ts'
 import type { Session } from '../session/session.ts'
 import type { Painting } from '../tools/painting.ts'
+import type { Sculpting } from '../tools/sculpting.ts'
 import type { Tool, ToolChoice } from '../tools/tool-choice.ts'
 
 /** Effect of each tool on lines. Tools that are missing here do not use lines. */
@@ -18,23 +19,28 @@ interface Parts {
   session: Session
   areas: AreaEditor
   painting: Painting
+  sculpting: Sculpting
   lines: LineEditor
 }
 
 /** Activates the chosen tool. When the document closes, chooses the first tool again. */
-export function bindTools(tools: ToolChoice, { session, areas, painting, lines }: Parts): void {
+export function bindTools(tools: ToolChoice, { session, areas, painting, sculpting, lines }: Parts): void {
   effect(() => {
     const tool = tools.tool.value
     const isPainting = tool === 'paint' || tool === 'polygon'
     if (isPainting) painting.shape.value = tool === 'paint' ? 'brush' : 'polygon'
     // While no region is chosen, the pointer chooses the one to paint.
-    lines.mode.value = LINE_MODES[tool] ?? (areas.chosen.value ? 'off' : 'select')
+    const isSculpting = tool === 'sculpt'
+    lines.mode.value = LINE_MODES[tool] ?? (areas.chosen.value || isSculpting ? 'off' : 'select')
     painting.isOn = isPainting
-    if (isPainting || tool === 'draw') lines.choose(null)
+    sculpting.isOn.value = isSculpting
+    if (isPainting || isSculpting || tool === 'draw') lines.choose(null)
   })
   effect(() => {
     const mirror = tools.mirror.value
     if (painting.brush.peek().mirror !== mirror) painting.brush.value = { ...painting.brush.peek(), mirror }
+    if (sculpting.settings.peek().mirror !== mirror)
+      sculpting.settings.value = { ...sculpting.settings.peek(), mirror }
     lines.mirrored.value = mirror
   })
   effect(() => {

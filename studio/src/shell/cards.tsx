@@ -99,7 +99,15 @@ function LineCard({ model }: { model: PanelModel }) {
   const line = lines.chosen.value!
   return (
     <>
-      {lines.added.value.length > 0 && <WhenQuestion model={model} />}
+      {lines.added.value.length > 0 && (
+        <WhenQuestion
+          model={model}
+          added={lines.added.value}
+          onAnswer={() => {
+            lines.added.value = []
+          }}
+        />
+      )}
       <LineSection line={line} label={CARD.section} />
       {SLIDERS.map(({ field, label, range }) => (
         <NumberSlider

@@ -14,12 +14,14 @@ import { Layers } from '../panels/layers.tsx'
 import { Lines } from '../panels/lines.tsx'
 import type { PanelModel } from '../panels/model.ts'
 import { BrushSettings } from '../panels/painting/painting.tsx'
+import { SculptSettings } from '../panels/painting/sculpt.tsx'
 import { Shapes } from '../panels/shapes/shapes.tsx'
 import { Tabs } from '../ui/tabs.tsx'
 import { SelectionCard } from './cards.tsx'
 import { CannotWrinkle } from './no-shapes.tsx'
 import { type Selected, selectedIn } from './selected.ts'
 import { isSmallPage } from './small-page.ts'
+import { WhenQuestion } from './when-question.tsx'
 
 type Tab = 'look' | 'when' | 'maps'
 
@@ -37,7 +39,8 @@ export function Inspector({ model }: { model: PanelModel }) {
   if (!session.document.value) return <FromFile model={model} />
   return (
     <>
-      {tools.mode.value === 'paint' && <BrushSettings model={model} />}
+      {tools.mode.value === 'paint' &&
+        (tools.tool.value === 'sculpt' ? <Sculpt model={model} /> : <BrushSettings model={model} />)}
       {isSmallPage.value && <SelectionCard model={model} />}
       <Heading selected={selected} model={model} />
       <Tabs
@@ -57,6 +60,20 @@ export function Inspector({ model }: { model: PanelModel }) {
           </>
         )}
       </Tabs>
+    </>
+  )
+}
+
+/** Settings of the brush that sculpts, and the question when its new regions show. */
+function Sculpt({ model }: { model: PanelModel }) {
+  const { sculpting } = model
+  const added = sculpting.added.value
+  return (
+    <>
+      <SculptSettings model={model} />
+      {added.length > 0 && (
+        <WhenQuestion model={model} added={added} onAnswer={() => sculpting.forgetAdded()} />
+      )}
     </>
   )
 }

@@ -2,14 +2,21 @@ import { UNSET } from '../document/drivers.ts'
 import { CARD, inExpression } from '../labels/stage.ts'
 import type { PanelModel } from '../panels/model.ts'
 
-/** Asks when a line shows that was drawn on bare skin: always, or with the expression that the face has. */
-export function WhenQuestion({ model }: { model: PanelModel }) {
-  const { lines, areas, viewer, frame, expression, actions } = model
+interface WhenQuestionProps {
+  model: PanelModel
+  /** Areas that were added on bare skin. */
+  added: readonly string[]
+  onAnswer(): void
+}
+
+/** Asks when wrinkles on bare skin show: always, or with the expression that the face has. */
+export function WhenQuestion({ model, added, onAnswer }: WhenQuestionProps) {
+  const { areas, viewer, frame, expression, actions } = model
   frame.value
   const isPosed = viewer.value?.targets.some((dial) => dial.read() > UNSET)
   const answer = (change?: () => void) => {
     change?.()
-    lines.added.value = []
+    onAnswer()
   }
   return (
     <fieldset class="when">
@@ -19,10 +26,7 @@ export function WhenQuestion({ model }: { model: PanelModel }) {
           {CARD.always}
         </button>
         {isPosed && (
-          <button
-            type="button"
-            onClick={() => answer(() => areas.showInPose(lines.added.peek(), actions.pose()))}
-          >
+          <button type="button" onClick={() => answer(() => areas.showInPose(added, actions.pose()))}>
             {inExpression(expression.value)}
           </button>
         )}

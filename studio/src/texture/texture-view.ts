@@ -7,6 +7,7 @@ import type { PaintSkin } from '../paint/paint-skin.ts'
 import type { AreaEditor } from '../session/area-editor.ts'
 import type { Session } from '../session/session.ts'
 import type { Painting } from '../tools/painting.ts'
+import type { Sculpting } from '../tools/sculpting.ts'
 import { TextureCamera } from '../tools/texture-camera.ts'
 import { ToolHost } from '../tools/tool-host.ts'
 import type { Viewer } from '../viewer/viewer.ts'
@@ -24,6 +25,7 @@ export interface TextureViewParts {
   session: Session
   areas: AreaEditor
   painting: Painting
+  sculpting: Sculpting
   lines: Lines
   viewer: ReadonlySignal<Viewer | null>
   /** Runs a task and shows its errors. */
@@ -46,12 +48,13 @@ export class TextureView {
 
   constructor(parts: TextureViewParts) {
     this.#parts = parts
-    const { element, painting, lines, viewer, areas, session } = parts
+    const { element, painting, sculpting, lines, viewer, areas, session } = parts
     element.append(this.#canvas)
     this.#camera = new TextureCamera(element, () => this.#wake())
     this.#host = new ToolHost(element, () => this.#camera.camera)
     new ResizeObserver(() => this.#resize()).observe(element)
     painting.addTexture(this.#host, element, this.#camera)
+    sculpting.addTexture(this.#host)
     this.#edited = lines.addTexture({ element, host: this.#host }, () => this.#wake())
     let shown: OpenedAvatar | undefined
     effect(() => {
@@ -67,6 +70,8 @@ export class TextureView {
       painting.hit.value
       painting.skinVersion.value
       painting.brush.value
+      sculpting.hit.value
+      sculpting.settings.value
       this.#base.value
       this.#wake()
     })
@@ -102,12 +107,13 @@ export class TextureView {
   }
 
   #draw(): void {
-    const { painting, session, areas } = this.#parts
+    const { painting, sculpting, session, areas } = this.#parts
     painting.polygon.advance()
     const context = this.#canvas.getContext('2d')!
     const ratio = Math.min(devicePixelRatio, 2)
     context.setTransform(ratio, 0, 0, ratio, 0, 0)
-    const hit = painting.hit.peek()
+    const hit = painting.hit.peek() ?? sculpting.hit.peek()
+    const brush = sculpting.isOn.peek() ? sculpting : painting
     const skin = painting.skin
     const document = session.document.peek()
     drawTexture(context, this.#size, this.#camera.frame, {
@@ -117,7 +123,7 @@ export class TextureView {
         skin && document
           ? document.strokes.map((stroke) => this.#linesOn(skin, document.areaSize).lineOf(stroke))
           : [],
-      outline: hit && skin ? brushOutline(skin, hit.triangle, hit.uv, painting.ringRadius(hit)) : null,
+      outline: hit && skin ? brushOutline(skin, hit.triangle, hit.uv, brush.ringRadius(hit)) : null,
     })
     this.#edited.draw(context, this.#size, this.#camera.frame)
   }

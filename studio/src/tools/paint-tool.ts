@@ -1,17 +1,19 @@
 import type { GrayImage } from 'furrow'
 import type { Ray } from 'three'
-import type { StudioArea } from '../document/document.ts'
-import type { Brush } from '../paint/brush.ts'
+import type { Brush, SculptBrush } from '../paint/brush.ts'
 import { BrushStroke } from '../paint/brush-stroke.ts'
 import type { PaintSkin } from '../paint/paint-skin.ts'
+import { around, type PaintedImage, type Rectangle } from '../paint/painted.ts'
 import type { SkinHit } from '../paint/picker.ts'
 import type { Sight } from '../paint/visible-places.ts'
 import type { StagePointer, StageTool } from './stage-tool.ts'
 
-/** Area, brush and skin of a stroke. */
-export interface PaintTarget {
-  readonly area: StudioArea
-  readonly brush: Brush
+/** Image, brush and skin of a stroke. */
+export interface PaintTarget<Image extends PaintedImage = GrayImage> {
+  /** Name of the area or the layer that the image belongs to. */
+  readonly name: string
+  readonly image: Image
+  readonly brush: Brush | SculptBrush
   readonly skin: PaintSkin
   /** Finds the skin under a pointer. */
   readonly picker: {
@@ -26,28 +28,35 @@ export interface PaintTarget {
   readonly sight?: Sight | undefined
 }
 
-export interface PaintToolParts {
-  /** Called at the start of a stroke and on hover. Returns the target, or null if there is nothing to paint. */
-  target(): PaintTarget | null
+export interface PaintToolParts<Target extends PaintTarget<PaintedImage>> {
+  /**
+   * Called at the start of a stroke and on hover. Returns the target, or null if there is nothing to paint.
+   *
+   * @param ray ray through the pointer.
+   */
+  target(ray: Ray): Target | null
   /** Returns a promise that settles when the target is ready, or null if there is nothing to wait for. */
   preparation(): Promise<unknown> | null
-  /** Called when the stroke has changed weights. The receiver must call `showStroke` before it draws the next frame. */
+  /** Called when the stroke has changed the image. The receiver must call `showStroke` before it draws the next frame. */
   onPaint(): void
-  /** Shows weights of an area on the face without changing the document. */
-  show(area: string, weights: GrayImage): void
-  /** Stores the result of a stroke in the document. */
-  keep(area: string, weights: GrayImage): void
+  /** Shows the stroke so far. @param changed changed texels since the last call. */
+  show(target: Target, image: Target['image'], changed: Rectangle): void
+  /** Stores the result of a stroke in the document. @param changed all changed texels. */
+  keep(target: Target, image: Target['image'], changed: Rectangle): void
+  /** Shows the image as it was before the stroke. */
+  discard(target: Target): void
   /** Receives the skin under the pointer, or null. */
   onHit(hit: SkinHit | null): void
 }
 
-/** Pointer tool that paints an area with a brush. If the pointer is not on the face or Alt is pressed, the camera orbits instead. */
-export class PaintTool implements StageTool {
-  readonly #parts: PaintToolParts
-  #stroke: { target: PaintTarget; brush: BrushStroke } | null = null
-  #isChanged = false
+/** Pointer tool that changes an image with a brush. If the pointer is not on the face or Alt is pressed, the camera orbits instead. */
+export class PaintTool<Target extends PaintTarget<PaintedImage> = PaintTarget> implements StageTool {
+  readonly #parts: PaintToolParts<Target>
+  #stroke: { target: Target; brush: BrushStroke<Target['image']> } | null = null
+  /** Texels that the stroke has changed since the last call of `show`. */
+  #changed: Rectangle | undefined
 
-  constructor(parts: PaintToolParts) {
+  constructor(parts: PaintToolParts<Target>) {
     this.#parts = parts
   }
 
@@ -56,10 +65,10 @@ export class PaintTool implements StageTool {
   }
 
   begin(pointer: StagePointer): boolean {
-    const target = pointer.alt ? null : this.#parts.target()
+    const target = pointer.alt ? null : this.#parts.target(pointer.ray)
     if (!target?.picker.pick(pointer.ray)) return false
-    const { area, brush, skin, sight } = target
-    this.#stroke = { target, brush: new BrushStroke(area.weights, brush, skin, sight) }
+    const { image, brush, skin, sight } = target
+    this.#stroke = { target, brush: new BrushStroke<Target['image']>(image, brush, skin, sight) }
     this.move([pointer])
     return true
   }
@@ -71,42 +80,41 @@ export class PaintTool implements StageTool {
     for (const { ray, pressure } of pointers) {
       hit = target.picker.pick(ray)
       const uv = target.picker.uvOf?.(ray)
-      if (uv ? brush.moveInTexture(...uv, pressure) : brush.moveTo(hit, pressure)) this.#isChanged = true
+      const changed = uv ? brush.moveInTexture(...uv, pressure) : brush.moveTo(hit, pressure)
+      if (changed) this.#changed = this.#changed ? around(this.#changed, changed) : changed
     }
     this.#parts.onHit(hit ?? null)
-    if (this.#isChanged) this.#parts.onPaint()
+    if (this.#changed) this.#parts.onPaint()
   }
 
   /** Shows the result of the current stroke so far, if it has changed since the last call. */
   showStroke(): void {
-    if (!this.#stroke || !this.#isChanged) return
-    this.#isChanged = false
-    this.#parts.show(this.#stroke.target.area.name, this.#stroke.brush.image)
+    const changed = this.#changed
+    if (!this.#stroke || !changed) return
+    this.#changed = undefined
+    this.#parts.show(this.#stroke.target, this.#stroke.brush.image, changed)
   }
 
   end(): void {
     const stroke = this.#finish()
     if (!stroke) return
     const { image, dirty } = stroke.brush.end()
-    if (dirty) this.#parts.keep(stroke.target.area.name, image)
+    if (dirty) this.#parts.keep(stroke.target, image, dirty)
   }
 
   cancel(): void {
     const stroke = this.#finish()
-    if (!stroke) return
-    const { name, weights } = stroke.target.area
-    this.#parts.show(name, weights)
-    this.#parts.onPaint()
+    if (stroke) this.#parts.discard(stroke.target)
   }
 
   hover(pointer: StagePointer | null): void {
-    this.#parts.onHit((pointer && this.#parts.target()?.picker.pick(pointer.ray)) ?? null)
+    this.#parts.onHit((pointer && this.#parts.target(pointer.ray)?.picker.pick(pointer.ray)) ?? null)
   }
 
   #finish() {
     const stroke = this.#stroke
     this.#stroke = null
-    this.#isChanged = false
+    this.#changed = undefined
     return stroke
   }
 }

@@ -3,41 +3,23 @@ import type { GrayImage } from 'furrow'
 import { updateArea } from 'furrow/three'
 import { Vector3 } from 'three'
 import { paintArea } from '../document/areas.ts'
-import type { StudioDocument } from '../document/document.ts'
-import { runInTurn } from '../later.ts'
-import type { OpenedAvatar } from '../open/avatar.ts'
-import { BRUSH_DEFAULTS, BRUSH_RADII, type Brush } from '../paint/brush.ts'
+import { BRUSH_DEFAULTS, type Brush, resized } from '../paint/brush.ts'
 import { visibleRadius } from '../paint/dab-size.ts'
 import { mirrorWeights } from '../paint/mirror-weights.ts'
 import type { PaintSkin } from '../paint/paint-skin.ts'
-import type { SkinHit, SkinPicker } from '../paint/picker.ts'
-import { posedSkinOf, preparedSkin, prepareSkin } from '../paint/posed-skin.ts'
+import type { SkinHit } from '../paint/picker.ts'
+import { posedSkinOf } from '../paint/posed-skin.ts'
 import type { AreaEditor } from '../session/area-editor.ts'
 import type { Session } from '../session/session.ts'
-import { type ShortcutName, shortcutOf } from '../shortcuts.ts'
+import { shortcutOf } from '../shortcuts.ts'
 import type { Viewer } from '../viewer/viewer.ts'
 import { BrushRing } from './brush-ring.ts'
+import type { FaceSkin, PaintedFace } from './face-skin.ts'
 import { type PaintTarget, PaintTool } from './paint-tool.ts'
 import { PolygonPainting } from './polygon-painting.ts'
 import type { StageTool } from './stage-tool.ts'
 import type { TextureCamera } from './texture-camera.ts'
-import { TexturePicker } from './texture-picker.ts'
 import type { ToolHost } from './tool-host.ts'
-
-/** Factor by which a key press changes the brush radius. */
-const SIZE_STEP = 1.15
-
-interface PaintedFace {
-  readonly skin: PaintSkin
-  readonly picker: SkinPicker
-  readonly texture: TexturePicker
-}
-
-/** Inputs for preparing the skin of the open face. */
-type OpenFace = Pick<StudioDocument, 'scale' | 'areaSize'> & Pick<OpenedAvatar['skins'][number], 'meshes'>
-
-/** Maximum number of vertices of a skin, over all its meshes, to prepare it in advance. Larger skins need hundreds of megabytes. */
-const MAX_PREPARED = 500_000
 
 export type PaintShape = 'brush' | 'polygon'
 
@@ -45,6 +27,7 @@ export interface PaintingParts {
   session: Session
   areas: AreaEditor
   viewer: ReadonlySignal<Viewer | null>
+  face: FaceSkin
   host: ToolHost
   /** Element over which the outline of the brush is drawn. */
   stage: HTMLElement
@@ -65,7 +48,6 @@ export class Painting {
   readonly #ring: BrushRing
   readonly #hit = signal<SkinHit | null>(null)
   readonly #stroke = signal<GrayImage | null>(null)
-  readonly #skinVersion = signal(0)
 
   readonly brush = signal<Brush>(BRUSH_DEFAULTS)
   /** Whether the user paints with a brush or with polygons. */
@@ -100,7 +82,6 @@ export class Painting {
     effect(() => {
       if (this.area.value === null || this.shape.value !== 'polygon') this.polygon.clear()
     })
-    this.#prepareSkins()
     effect(() => {
       if (this.area.value !== null) void this.#preparation()
     })
@@ -138,7 +119,7 @@ export class Painting {
 
   /** Version number, incremented when a skin is ready. */
   get skinVersion(): ReadonlySignal<number> {
-    return this.#skinVersion
+    return this.#parts.face.version
   }
 
   /**
@@ -156,7 +137,7 @@ export class Painting {
 
   /** Mirrors the weights of an area to the other side of the open face. */
   mirrored(weights: GrayImage): GrayImage {
-    const open = this.#open()
+    const { open } = this.#parts.face
     return open ? mirrorWeights(weights, posedSkinOf(open.meshes, open.scale).skin) : weights
   }
 
@@ -167,43 +148,18 @@ export class Painting {
     this.polygon.advance()
   }
 
-  /** Prepares the skin of each opened face in advance, unless it is too large. Errors are shown only when painting starts. */
-  #prepareSkins(): void {
-    const { viewer, session } = this.#parts
-    const avatar = computed(() => viewer.value?.avatar)
-    const scale = computed(() => session.document.value?.scale)
-    const size = computed(() => session.document.value?.areaSize)
-    effect(() => {
-      avatar.value
-      scale.value
-      size.value
-      const open = this.#open()
-      if (!open || isLarge(open.meshes)) return
-      return runInTurn(() => void this.#prepare(open).catch(() => {}))
-    })
-  }
-
-  async #prepare({ meshes, scale, areaSize }: OpenFace): Promise<void> {
-    await prepareSkin(meshes, scale, areaSize)
-    this.#skinVersion.value++
-    this.#parts.wake()
-  }
-
-  /** Returns a promise that settles when the skin is ready, or null if there is nothing to wait for. */
-  #preparation(): Promise<unknown> | null {
-    const open = this.#open()
-    if (!open || preparedSkin(open.meshes, open.scale, open.areaSize)) return null
-    return Promise.resolve(this.#parts.attempt(() => this.#prepare(open)))
-  }
-
   #addTool(host: ToolHost, target: () => PaintTarget | null, shape: PaintShape): void {
     const { wake } = this.#parts
     const tool = new PaintTool({
       target,
       preparation: () => this.#preparation(),
       onPaint: wake,
-      show: (area, weights) => this.#show(area, weights),
-      keep: (area, weights) => this.#keep(area, weights),
+      show: ({ name }, weights) => this.#show(name, weights),
+      keep: ({ name }, weights) => this.#keep(name, weights),
+      discard: ({ name, image }) => {
+        this.#show(name, image)
+        wake()
+      },
       onHit: (hit) => {
         this.#hit.value = hit
         this.#drawRing()
@@ -233,30 +189,26 @@ export class Painting {
     if (!viewer || !area || !face) return null
     const { skin, picker } = face
     const sight = this.isHiddenPainted.peek() ? undefined : picker.sightFrom(viewer.stage.camera.position)
-    return { area, brush: this.brush.peek(), skin, picker, sight }
+    return { name: area.name, image: area.weights, brush: this.brush.peek(), skin, picker, sight }
   }
 
   /** Returns a target without a visibility test, because painting on the texture includes hidden skin. */
   #targetOnTexture(): PaintTarget | null {
     const [area, face] = [this.#parts.areas.chosen.peek(), this.#face()]
-    return area && face && { area, brush: this.brush.peek(), skin: face.skin, picker: face.texture }
+    if (!area || !face) return null
+    const { skin, texture: picker } = face
+    return { name: area.name, image: area.weights, brush: this.brush.peek(), skin, picker }
   }
 
-  /** Returns the open face in its current pose, or null until its skin is ready. */
+  /** Returns the open face, or null until its skin is ready. */
   #face(): PaintedFace | null {
-    const open = this.#open()
-    const made = open && preparedSkin(open.meshes, open.scale, open.areaSize)
-    if (!made) return null
-    const { skin, picker } = made
-    return { skin, picker, texture: new TexturePicker(skin, picker, open.areaSize) }
+    const { face } = this.#parts
+    return face.open && face.at(face.open.areaSize)
   }
 
-  #open(): OpenFace | null {
-    const [viewer, document] = [this.#parts.viewer.peek(), this.#parts.session.document.peek()]
-    if (!viewer || !document) return null
-    const { skins, skin } = viewer.avatar
-    const { scale, areaSize } = document
-    return { meshes: skins[skin].meshes, scale, areaSize }
+  #preparation(): Promise<unknown> | null {
+    const { face } = this.#parts
+    return face.open && face.preparation(face.open.areaSize)
   }
 
   #show(area: string, weights: GrayImage): void {
@@ -288,17 +240,8 @@ export class Painting {
     const name = shortcutOf('painting', event)
     if (this.area.peek() === null || !name) return
     const { mode, radius } = this.brush.peek()
-    const [least, most] = BRUSH_RADII
-    const resize = (factor: number) => ({ radius: Math.min(Math.max(radius * factor, least), most) })
-    const changes: Record<ShortcutName<'painting'>, () => Partial<Brush>> = {
-      smaller: () => resize(1 / SIZE_STEP),
-      larger: () => resize(SIZE_STEP),
-      swap: () => ({ mode: mode === 'add' ? 'remove' : 'add' }),
-    }
-    this.brush.value = { ...this.brush.peek(), ...changes[name]() }
+    const change: Partial<Brush> =
+      name === 'swap' ? { mode: mode === 'add' ? 'remove' : 'add' } : { radius: resized(radius, name) }
+    this.brush.value = { ...this.brush.peek(), ...change }
   }
-}
-
-function isLarge(meshes: OpenFace['meshes']): boolean {
-  return meshes.reduce((sum, { geometry }) => sum + geometry.attributes.position.count, 0) > MAX_PREPARED
 }

@@ -27,7 +27,7 @@ export interface PolygonPaintingParts {
   brush: ReadonlySignal<Brush>
   /** Returns a promise that settles when the skin is ready, or null if there is nothing to wait for. */
   preparation(): Promise<unknown> | null
-  keep(area: string, painted: PaintTarget['area']['weights']): void
+  keep(area: string, painted: PaintTarget['image']): void
   /** Requests the next frame. */
   wake(): void
   attempt(task: () => void): unknown
@@ -99,8 +99,8 @@ export class PolygonPainting {
       mirror,
       feather: this.feather.peek(),
     } as const
-    const { image, dirty } = paintPolygon(target.area.weights, points, brush, target.skin, target.sight)
-    if (dirty) this.#parts.keep(target.area.name, image)
+    const { image, dirty } = paintPolygon(target.image, points, brush, target.skin, target.sight)
+    if (dirty) this.#parts.keep(target.name, image)
   }
 
   #onKey(event: KeyboardEvent): void {

@@ -4,7 +4,7 @@ import { batch, type ReadonlySignal, signal } from '@preact/signals'
 export const MODE_NAMES = ['look', 'lines', 'paint', 'motion'] as const
 export type Mode = (typeof MODE_NAMES)[number]
 
-export const TOOL_NAMES = ['select', 'draw', 'bend', 'smooth', 'erase', 'paint', 'polygon'] as const
+export const TOOL_NAMES = ['select', 'draw', 'bend', 'smooth', 'erase', 'paint', 'polygon', 'sculpt'] as const
 export type Tool = (typeof TOOL_NAMES)[number]
 
 /** Mode of each tool. The tool `select` is in the modes `look` and `motion`. */
@@ -15,6 +15,7 @@ const MODE_OF: Readonly<Record<Exclude<Tool, 'select'>, Mode>> = {
   erase: 'lines',
   paint: 'paint',
   polygon: 'paint',
+  sculpt: 'paint',
 }
 
 /** First tool of each mode. */

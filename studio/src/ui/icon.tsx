@@ -7,6 +7,7 @@ const PATHS = {
   erase: 'M8 16l-4-4 7-8 5 5-6 7zM8 16h9M7.5 8l5 5',
   paint: 'M12 3l5 5-6 6-5-5zM6 9c-3 2-1 4-4 8 4 0 7 0 9-3',
   polygon: 'M4 15L3 6l7-3 7 5-3 9z',
+  sculpt: 'M2 16c4 0 4-9 8-9s4 9 8 9M10 2v3M7 4l3-2 3 2',
   mirror: 'M10 2v16M7 6L2 14h5zM13 6l5 8h-5z',
   undo: 'M7 4L3 8l4 4M3 8h8a5 5 0 010 10H8',
   redo: 'M13 4l4 4-4 4M17 8H9a5 5 0 000 10h3',

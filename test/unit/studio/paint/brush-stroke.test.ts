@@ -297,7 +297,7 @@ describe('invalid input for painting', () => {
   })
 
   it.each([
-    ['another side than 2 to 1024', empty(2048)],
+    ['another side than 2 to 2048', empty(4096)],
     ['one texel', empty(1)],
     ['a rectangle', { width: 2, height: 4, data: new Uint8Array(8) }],
     ['too few bytes', { width: 4, height: 4, data: new Uint8Array(8) }],

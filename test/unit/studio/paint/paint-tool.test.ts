@@ -1,26 +1,27 @@
 import type { GrayImage } from 'furrow'
 import { Vector3 } from 'three'
 import { expect, it } from 'vitest'
-import type { StudioArea } from '../../../../studio/src/document/document.ts'
 import { BRUSH_DEFAULTS } from '../../../../studio/src/paint/brush.ts'
 import { circle } from '../../../../studio/src/tools/brush-ring.ts'
-import { PaintTool } from '../../../../studio/src/tools/paint-tool.ts'
+import { type PaintTarget, PaintTool } from '../../../../studio/src/tools/paint-tool.ts'
 import { empty, pickerOf, plainSheet, pointerAt } from './skins.ts'
 
 const SIZE = 64
-const area: StudioArea = { name: 'cheek', layer: 'up', combine: 'sum', activation: 0, weights: empty(SIZE) }
+const image = empty(SIZE)
 
 /** Creates a tool on a sheet, and records the weights that it shows and stores, and its requests. */
 function toolOnSheet() {
   const { skin, picker } = pickerOf(plainSheet())
   const [shown, kept]: GrayImage[][] = [[], []]
   const calls = { paint: 0, hits: [] as boolean[] }
-  const tool = new PaintTool({
-    target: () => ({ area, brush: BRUSH_DEFAULTS, skin, picker }),
+  const show = (weights: GrayImage) => shown.push({ ...weights, data: weights.data.slice() })
+  const tool = new PaintTool<PaintTarget>({
+    target: () => ({ name: 'cheek', image, brush: BRUSH_DEFAULTS, skin, picker }),
     preparation: () => null,
     onPaint: () => calls.paint++,
-    show: (_, weights) => shown.push({ ...weights, data: weights.data.slice() }),
+    show: (_, weights) => show(weights),
     keep: (_, weights) => kept.push(weights),
+    discard: (target) => show(target.image),
     onHit: (hit) => calls.hits.push(hit !== null),
   })
   return { tool, shown, kept, calls }
@@ -42,7 +43,7 @@ it('shows the stroke once per frame while it grows, and stores it once at its en
   expect(kept.length).toBe(1)
   expect(total(kept[0])).toBe(total(shown[0]))
   expect(total(kept[0])).toBeGreaterThan(0)
-  expect(total(area.weights)).toBe(0)
+  expect(total(image)).toBe(0)
 })
 
 it('restores the old weights after a stroke is cancelled, and stores nothing', () => {

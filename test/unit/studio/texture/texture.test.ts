@@ -7,7 +7,7 @@ import type { LayerStroke } from '../../../../studio/src/document/document.ts'
 import { BRUSH_DEFAULTS } from '../../../../studio/src/paint/brush.ts'
 import { brushOutline } from '../../../../studio/src/texture/brush-outline.ts'
 import { TextureLines } from '../../../../studio/src/texture/texture-lines.ts'
-import { PaintTool } from '../../../../studio/src/tools/paint-tool.ts'
+import { type PaintTarget, PaintTool } from '../../../../studio/src/tools/paint-tool.ts'
 import { TexturePicker } from '../../../../studio/src/tools/texture-picker.ts'
 import { cutSheet, empty, pickerOf, placesOf, pointerAt } from '../paint/skins.ts'
 
@@ -57,9 +57,10 @@ it.each([
 it('a quick stroke from one island to another is straight in the texture, and does not paint the skin between its ends', () => {
   const { skin, texture } = cutSkin()
   let painted: GrayImage | undefined
-  const tool = new PaintTool({
+  const tool = new PaintTool<PaintTarget>({
     target: () => ({
-      area: { name: 'a', layer: 'up', combine: 'sum', activation: 0, weights: empty(SIZE) },
+      name: 'a',
+      image: empty(SIZE),
       brush: { ...BRUSH_DEFAULTS, radius: 3 },
       skin,
       picker: texture,
@@ -70,6 +71,7 @@ it('a quick stroke from one island to another is straight in the texture, and do
     keep: (_, weights) => {
       painted = weights
     },
+    discard: () => {},
     onHit: () => {},
   })
   const at = (u: number, v: number) => pointerAt(0, 0, { ray: rayAt([u, v]) })

@@ -1,0 +1,90 @@
+import type { Uv } from 'furrow/author'
+import { areaAt, isBloodArea } from './area-at.ts'
+import { addArea, paintArea } from './areas.ts'
+import type { StudioArea, StudioDocument } from './document.ts'
+import { freeName } from './names.ts'
+import type { HeightImage, Rectangle } from './sculpted.ts'
+
+/** Name of the area that is added for sculpted skin outside all areas. */
+const NEW_AREA = 'sculpted'
+/** Minimum weight of a layer's areas at a texel, 0..255, for which the layer counts as shown there. */
+const SHOWN = 128
+/** Texels around a sculpted texel of an area that get full weight, because areas are filtered bilinearly. */
+const MARGIN = 1
+
+/** Layer that a stroke of a brush sculpts, and the name of the area that shows it. The area may not exist yet. */
+export interface SculptPlace {
+  readonly layer: string
+  readonly area: string
+}
+
+/**
+ * Returns where a stroke on the skin belongs: to the chosen area, or to the area under its start. On bare skin, it belongs to an area that is
+ * always visible.
+ */
+export function sculptPlace(document: StudioDocument, chosen: StudioArea | null, uv: Uv): SculptPlace {
+  const { areas, layers, drivers } = document
+  if (chosen) return { layer: chosen.layer, area: chosen.name }
+  const wrinkled = areas.filter((area) => !isBloodArea(area))
+  const under = areaAt(wrinkled, uv)
+  const isDriven = (name: string) => drivers.some((driver) => 'area' in driver && driver.area === name)
+  const isBare = ({ name, activation }: StudioArea) =>
+    activation === 1 && name.startsWith(NEW_AREA) && !isDriven(name)
+  const found = wrinkled.find(({ name }) => name === under) ?? wrinkled.find(isBare)
+  if (found) return { layer: found.layer, area: found.name }
+  return { layer: layers[0].name, area: freeName(areas, NEW_AREA) }
+}
+
+/**
+ * Extends an area, so that its layer is shown wherever a stroke has sculpted it. Adds the area if it does not exist.
+ *
+ * @param before heights before the stroke.
+ * @param after heights with the stroke.
+ * @param changed rectangle that contains the changed texels.
+ */
+export function coverSculpted(
+  document: StudioDocument,
+  { layer, area }: SculptPlace,
+  before: HeightImage,
+  after: HeightImage,
+  changed: Rectangle,
+): StudioDocument {
+  const { areas, areaSize } = document
+  const shown = areas.filter((each) => each.layer === layer && !isBloodArea(each))
+  const own = areas.find(({ name }) => name === area)
+  const data = own ? own.weights.data.slice() : new Uint8Array(areaSize ** 2)
+  let isGrown = false
+  for (const texel of sculptedTexels(before, after, changed, areaSize)) {
+    const weight = shown.reduce((sum, { weights }) => sum + weights.data[texel], own ? 0 : data[texel])
+    if (weight >= SHOWN) continue
+    isGrown = true
+    const [x, y] = [texel % areaSize, Math.floor(texel / areaSize)]
+    for (let row = Math.max(y - MARGIN, 0); row <= Math.min(y + MARGIN, areaSize - 1); row++) {
+      const first = Math.max(x - MARGIN, 0)
+      data.fill(255, row * areaSize + first, row * areaSize + Math.min(x + MARGIN, areaSize - 1) + 1)
+    }
+  }
+  if (!isGrown) return document
+  const weights = { width: areaSize, height: areaSize, data }
+  if (own) return paintArea(document, area, weights)
+  return addArea(document, { name: area, layer, combine: 'sum', activation: 1, weights })
+}
+
+/** Returns the texels of an area in which heights have changed. */
+function sculptedTexels(
+  before: HeightImage,
+  after: HeightImage,
+  { x, y, width, height }: Rectangle,
+  areaSize: number,
+): Set<number> {
+  const texels = new Set<number>()
+  const scale = areaSize / after.width
+  for (let row = y; row < y + height; row++) {
+    for (let column = x; column < x + width; column++) {
+      const i = row * after.width + column
+      if (before.data[i] === after.data[i]) continue
+      texels.add(Math.floor((row + 0.5) * scale) * areaSize + Math.floor((column + 0.5) * scale))
+    }
+  }
+  return texels
+}
