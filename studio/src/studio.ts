@@ -178,6 +178,7 @@ export class Studio {
       host: tools,
       stage: page.stage,
       wake,
+      attempt,
     })
     const pointer = new FacePointer({
       stage: page.viewport,

@@ -41,6 +41,7 @@ export type ToolName =
   | 'Erase'
   | 'Paint'
   | 'Polygon'
+  | 'Sculpt'
   | 'Mirror'
 
 export function chooseTool(page: Page, name: ToolName): Promise<void> {

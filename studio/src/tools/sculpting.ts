@@ -34,6 +34,8 @@ export interface SculptingParts {
   stage: HTMLElement
   /** Requests the next frame. */
   wake(): void
+  /** Runs a task and shows its errors. */
+  attempt(task: () => unknown): unknown
 }
 
 /** Lets brushes sculpt the heights of a layer. A stroke changes the document in every frame, and is one undo step. */
@@ -102,14 +104,14 @@ export class Sculpting {
   }
 
   #addTool(host: ToolHost, target: (ray: Ray) => SculptTarget | null): void {
-    const { wake, session } = this.#parts
+    const { wake, session, attempt } = this.#parts
     const tool = new PaintTool<SculptTarget>({
       target,
       preparation: () => this.#preparation(),
       onPaint: wake,
-      show: (stroke, image, changed) => this.#edit(stroke, image, changed),
+      show: (stroke, image, changed) => void attempt(() => this.#edit(stroke, image, changed)),
       keep: (stroke, image, changed) => {
-        this.#edit(stroke, image, changed)
+        attempt(() => this.#edit(stroke, image, changed))
         this.#made = null
         session.settle()
       },
