@@ -12,11 +12,19 @@ const FILTERED = 0.4
 type Sizes = Pick<PaintMap, 'texelSizes'>
 
 /** Returns the radius of a dab on a triangle, millimetres: that of the brush, or the smallest that the texels can hold. */
-export function dabRadius({ texelSizes }: Sizes, { radius }: Pick<DabShape, 'radius'>, triangle: number): number {
+export function dabRadius(
+  { texelSizes }: Sizes,
+  { radius }: Pick<DabShape, 'radius'>,
+  triangle: number,
+): number {
   return Math.max(radius, MIN_RADIUS * texelSizes[triangle])
 }
 
 /** Returns the radius up to which a dab is visible on a triangle, millimetres. */
-export function visibleRadius(map: Sizes, brush: Pick<DabShape, 'radius' | 'softness'>, triangle: number): number {
+export function visibleRadius(
+  map: Sizes,
+  brush: Pick<DabShape, 'radius' | 'softness'>,
+  triangle: number,
+): number {
   return dabRadius(map, brush, triangle) + FILTERED * (1 - brush.softness) * map.texelSizes[triangle]
 }
