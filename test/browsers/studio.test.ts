@@ -82,7 +82,7 @@ describe.each(DRIVEN)('studio in %s', (_, kind) => {
 
     async function setMode(mode: string): Promise<void> {
       await window.click('button', 'Preferences')
-      await window.click('label', mode, 'Wrinkles')
+      await window.click('label', mode, 'Shading of wrinkles')
       await window.click('button', 'Close')
     }
 
@@ -169,7 +169,7 @@ describe.each(DRIVEN)('studio in %s', (_, kind) => {
       await window.click('button', 'Edit wrinkles')
       await window.click('input[type=radio]', 'Select Chin chin')
       expect(await window.evaluate(`return ${CUT_CONTROLS}`)).toEqual([])
-      await window.find('label', 'Off', 'Wrinkles')
+      await window.find('label', 'Off', 'Shading of wrinkles')
       await save('unfolded')
     })
   })

@@ -173,10 +173,10 @@ test('a bent trunk keeps its branches', async () => {
 
 test('a branch is detached, and deleted, without changing the others', async () => {
   await choose(1)
-  await button(page, 'Detach').click()
+  await button(page, 'Detach from other line').click()
   await undoIs(page, 'Detach a line')
   expect(await forks().count()).toBe(0)
-  expect(await button(page, 'Detach').isDisabled()).toBe(true)
+  expect(await button(page, 'Detach from other line').isDisabled()).toBe(true)
   await choose(2)
   await expectForkAt(fork)
   await button(page, 'Delete line').click()

@@ -132,11 +132,11 @@ test('picks a line, moves its points, and deletes a point and the line', async (
   await tabTo(`Point ${before} of ${before}`)
   await press('Delete')
   await expect.poll(async () => (await focused()).name).toBe(`Point ${before - 1} of ${before - 1}`)
-  await tabTo('Bulge width, mm')
+  await tabTo('Edge distance, mm')
   const bank = Number((await value()).match(/[\d.]+/)![0])
   await press('ArrowRight')
   await expect.poll(value).toContain((bank + 0.1).toFixed(1))
-  await tabTo('Overhang')
+  await tabTo('Steeper side')
   await press('ArrowLeft')
   await expect.poll(value).toContain('-0.05')
   await tabTo('Delete line')
@@ -180,7 +180,7 @@ test('picks an area, renames it, and changes how it overlaps', async () => {
 test('records the pose, and edits the curve of its driver', async () => {
   await backTo('Look')
   await press('ArrowRight')
-  await tabTo('This pose fully shows this region')
+  await tabTo('Show it in this pose')
   await press('Enter')
   await expect
     .poll(() => page.getByRole('button', { name: 'Undo' }).getAttribute('title'))

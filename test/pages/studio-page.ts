@@ -38,7 +38,7 @@ export type ToolName =
   | 'Draw a wrinkle'
   | 'Bend'
   | 'Smooth'
-  | 'Erase'
+  | 'Delete lines'
   | 'Paint'
   | 'Polygon'
   | 'Sculpt'

@@ -55,7 +55,7 @@ const noteOf = () => page.getByText('The wrinkles were made before the last corr
 
 async function unfold(): Promise<void> {
   await showTab(page, 'When')
-  await page.getByRole('heading', { name: 'Shapes', exact: true }).click()
+  await page.getByRole('heading', { name: 'Recognised blendshapes', exact: true }).click()
   await rows().first().waitFor(DRAWING)
 }
 

@@ -33,7 +33,7 @@ export const WHEN = {
 
 /** Pairs of blendshapes that cancel each other. */
 export const CONFLICTS = {
-  title: 'Conflicts',
+  title: 'Opposite blendshapes',
   hint: 'Two blendshapes that undo each other, such as raising and lowering a brow. If both are active, the smaller weight is taken from both before drivers read them. The face itself does not change.',
   add: 'Add a conflict',
   one: 'One side',

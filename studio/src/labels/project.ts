@@ -8,7 +8,7 @@ export const FILE = {
   redo: 'Redo',
   share: 'Share',
   copyLink: 'Copy link',
-  copyLinkHint: 'Copy a link to this expression, view and avatar',
+  copyLinkHint: 'Link to this expression and view; your own files are never part of it',
   screenshot: 'Save picture',
   preferences: 'Preferences',
   shortcuts: 'Shortcuts',

@@ -45,7 +45,7 @@ export const HINTS = {
 export const CARD = {
   strength: 'Strength',
   depth: 'Depth, mm',
-  density: 'Line count',
+  density: 'More or fewer lines',
   hide: 'Hide',
   section: 'Cross-section',
   shows: 'When does this wrinkle show?',

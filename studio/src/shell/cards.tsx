@@ -75,8 +75,8 @@ function Frame({ selected: { label }, model: { actions }, children }: FrameProps
         <button
           type="button"
           class="dismiss"
-          aria-label={PLACES.wholeFace}
-          title={PLACES.wholeFace}
+          aria-label={PLACES.deselect}
+          title={PLACES.deselect}
           onClick={() => actions.selectRegion(null)}
         >
           ×

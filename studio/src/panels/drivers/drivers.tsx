@@ -63,7 +63,7 @@ export function Drivers({ model, area }: { model: PanelModel; area: string }) {
     <>
       <ShownBy area={area} model={model} />
       <Strongest drivers={document.drivers} context={context} />
-      <button type="button" onClick={() => areas.recordPose(area, actions.pose())}>
+      <button type="button" title={REGION.recordHint} onClick={() => areas.recordPose(area, actions.pose())}>
         {REGION.record}
       </button>
       <details
