@@ -105,6 +105,7 @@ export class Opening {
   async #applyPreset(dropped: DroppedFile): Promise<void> {
     const { workspace, messages } = this.#parts
     const preset = await readPreset(dropped)
+    await workspace.opened()
     const settings = workspace.session.document.peek()?.auto
     if (!settings) throw noAutomaticError(dropped.path)
     await workspace.makeAuto(applyPreset(settings, preset))

@@ -43,6 +43,8 @@ export class Workspace {
   readonly #maps: MapMaker
   readonly #onError: (error: unknown) => void
   #avatar: OpenedAvatar | null = null
+  /** Last call of `open`. */
+  #opened: Promise<void> = Promise.resolve()
   readonly #source = signal<SkinSource | null>(null)
   /** Opened project whose avatar is not on the stage yet. */
   #project: { project: Project; root: OpenedAvatar['root'] } | null = null
@@ -101,7 +103,17 @@ export class Workspace {
   }
 
   /** Switches to another avatar or skin, and closes the previous document. If the skin has no wrinkles, makes automatic wrinkles. */
-  async open(avatar: OpenedAvatar): Promise<void> {
+  open(avatar: OpenedAvatar): Promise<void> {
+    this.#opened = this.#open(avatar)
+    return this.#opened
+  }
+
+  /** Resolves when the wrinkles of the current avatar are made or read, or when that has failed. */
+  async opened(): Promise<void> {
+    await this.#opened.catch(() => {})
+  }
+
+  async #open(avatar: OpenedAvatar): Promise<void> {
     const isSame = this.#avatar !== null && isSameWork(avatar, this.#avatar)
     this.#avatar = avatar
     if (isSame) return

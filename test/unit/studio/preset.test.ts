@@ -85,7 +85,8 @@ describe('a dropped preset', () => {
   const makeAuto = vi.fn()
   const attempt = (task: () => unknown) => task()
   const messages = { attemptOpening: attempt, note: vi.fn() }
-  const opening = new Opening({ workspace: { session, makeAuto }, messages } as unknown as OpeningParts)
+  const opened = vi.fn(async () => {})
+  const opening = new Opening({ workspace: { session, makeAuto, opened }, messages } as unknown as OpeningParts)
   const drop = () => opening.openFiles(async () => [fileOf('{"version":1,"age":70}')])
 
   it('makes automatic wrinkles once', async () => {
@@ -93,6 +94,13 @@ describe('a dropped preset', () => {
     await drop()
     expect(makeAuto.mock.calls).toEqual([[{ age: 70, strength: 1, size: 2048, seed: 7, seeds: { chin: 2 } }]])
     expect(messages.note).toHaveBeenCalledWith('Applied old.json')
+  })
+
+  it('waits until the first wrinkles of the avatar are made', async () => {
+    session.open(null)
+    opened.mockImplementationOnce(async () => session.open(document))
+    await drop()
+    expect(makeAuto).toHaveBeenCalledTimes(2)
   })
 
   it('is refused if there are no automatic wrinkles', async () => {
