@@ -86,7 +86,10 @@ describe('a dropped preset', () => {
   const attempt = (task: () => unknown) => task()
   const messages = { attemptOpening: attempt, note: vi.fn() }
   const opened = vi.fn(async () => {})
-  const opening = new Opening({ workspace: { session, makeAuto, opened }, messages } as unknown as OpeningParts)
+  const opening = new Opening({
+    workspace: { session, makeAuto, opened },
+    messages,
+  } as unknown as OpeningParts)
   const drop = () => opening.openFiles(async () => [fileOf('{"version":1,"age":70}')])
 
   it('makes automatic wrinkles once', async () => {
