@@ -102,10 +102,10 @@ export function setMap(
   return { ...document, layers: replaceNamed(document.layers, name, 'layer', change) }
 }
 
-/** Returns the sculpted heights of a layer at the size that fits its maps. They have no tiles if nothing is sculpted. */
+/** Returns the sculpted heights of a layer at the size that fits its maps. They have no tiles if nothing is sculpted, or without the layer. */
 export function sculptedOn({ layers, mapSize }: StudioDocument, name: string): Sculpted {
   const size = sculptedSize(mapSize)
-  const sculpted = findNamed(layers, name, 'layer').sculpted ?? { size, tiles: new Map() }
+  const sculpted = layers.find((layer) => layer.name === name)?.sculpted ?? { size, tiles: new Map() }
   return sculpted.size === size ? sculpted : sculptedOf(resampleHeights(heightMapOf(sculpted), size, size))
 }
 

@@ -1,38 +1,50 @@
 import type { Uv } from 'furrow/author'
+import { MAX_LAYERS } from 'furrow/internal'
 import { areaAt, isBloodArea } from './area-at.ts'
 import { addArea, paintArea } from './areas.ts'
 import type { StudioArea, StudioDocument } from './document.ts'
+import { addLayer } from './layers.ts'
 import { freeName } from './names.ts'
 import type { HeightImage, Rectangle } from './sculpted.ts'
 
-/** Name of the area that is added for sculpted skin outside all areas. */
-const NEW_AREA = 'sculpted'
+/** Name of the area and of the layer that are added for sculpted skin if no area is chosen. */
+const SCULPTED = 'sculpted'
 /** Minimum weight of a layer's areas at a texel, 0..255, for which the layer counts as shown there. */
 const SHOWN = 128
 /** Texels around a sculpted texel of an area that get full weight, because areas are filtered bilinearly. */
 const MARGIN = 1
 
-/** Layer that a stroke of a brush sculpts, and the name of the area that shows it. The area may not exist yet. */
+/** Layer that a stroke of a brush sculpts, and the name of the area that shows it. Both may not exist yet. */
 export interface SculptPlace {
   readonly layer: string
   readonly area: string
 }
 
 /**
- * Returns where a stroke on the skin belongs: to the chosen area, or to the area under its start. On bare skin, it belongs to an area that is
- * always visible.
+ * Returns where a stroke on the skin belongs: to the chosen area. If none is chosen, it belongs to an area that is always visible, in a layer
+ * without lines, because the area would show these too. If there is no room for this layer, it belongs to the area under its start.
  */
 export function sculptPlace(document: StudioDocument, chosen: StudioArea | null, uv: Uv): SculptPlace {
   const { areas, layers, drivers } = document
   if (chosen) return { layer: chosen.layer, area: chosen.name }
-  const wrinkled = areas.filter((area) => !isBloodArea(area))
-  const under = areaAt(wrinkled, uv)
   const isDriven = (name: string) => drivers.some((driver) => 'area' in driver && driver.area === name)
-  const isBare = ({ name, activation }: StudioArea) =>
-    activation === 1 && name.startsWith(NEW_AREA) && !isDriven(name)
-  const found = wrinkled.find(({ name }) => name === under) ?? wrinkled.find(isBare)
-  if (found) return { layer: found.layer, area: found.name }
-  return { layer: layers[0].name, area: freeName(areas, NEW_AREA) }
+  const own = areas.find(
+    ({ name, activation }) => activation === 1 && name.startsWith(SCULPTED) && !isDriven(name),
+  )
+  if (own) return { layer: own.layer, area: own.name }
+  const layer = layers.find(({ name }) => name.startsWith(SCULPTED))?.name
+  const area = freeName(areas, SCULPTED)
+  if (layer !== undefined) return { layer, area }
+  if (layers.length < MAX_LAYERS) return { layer: freeName(layers, SCULPTED), area }
+  const wrinkled = areas.filter((each) => !isBloodArea(each))
+  const under = areaAt(wrinkled, uv)
+  const found = wrinkled.find(({ name }) => name === under)
+  return found ? { layer: found.layer, area: found.name } : { layer: layers[0].name, area }
+}
+
+/** Adds the layer of a stroke if it does not exist. */
+export function addSculptedLayer(document: StudioDocument, { layer }: SculptPlace): StudioDocument {
+  return document.layers.some(({ name }) => name === layer) ? document : addLayer(document, layer)
 }
 
 /**

@@ -72,7 +72,9 @@ function Sculpt({ model }: { model: PanelModel }) {
     <>
       <SculptSettings model={model} />
       {added.length > 0 && (
-        <WhenQuestion model={model} added={added} onAnswer={() => sculpting.forgetAdded()} />
+        <section>
+          <WhenQuestion model={model} added={added} onAnswer={() => sculpting.forgetAdded()} />
+        </section>
       )}
     </>
   )

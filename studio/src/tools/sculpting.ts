@@ -3,7 +3,7 @@ import type { Ray } from 'three'
 import type { StudioDocument } from '../document/document.ts'
 import { sculptedOn, setSculpted } from '../document/layers.ts'
 import { type HeightImage, imageOf, type Rectangle, sculptedSize, withImage } from '../document/sculpted.ts'
-import { coverSculpted, type SculptPlace, sculptPlace } from '../document/sculpted-area.ts'
+import { addSculptedLayer, coverSculpted, type SculptPlace, sculptPlace } from '../document/sculpted-area.ts'
 import { otherSide } from '../document/sides.ts'
 import { resized } from '../paint/brush.ts'
 import { visibleRadius } from '../paint/dab-size.ts'
@@ -143,7 +143,8 @@ export class Sculpting {
       session.edit(
         'Sculpt',
         (document) => {
-          const sculpted = setSculpted(document, name, withImage(sculptedOn(document, name), image, changed))
+          const heights = withImage(sculptedOn(document, name), image, changed)
+          const sculpted = setSculpted(addSculptedLayer(document, place), name, heights)
           return coverSculpted(sculpted, place, before, image, changed)
         },
         'sculpt',

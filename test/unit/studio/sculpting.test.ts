@@ -99,7 +99,8 @@ function release(): void {
 }
 
 const document = () => session.document.value!
-const highest = ({ layers }: StudioDocument, i = 0) =>
+/** Returns the greatest sculpted height of a layer. @param i index of the layer, default: the last one. */
+const highest = ({ layers }: StudioDocument, i = layers.length - 1) =>
   layers[i].sculpted ? Math.max(...imageOf(layers[i].sculpted).data) : 0
 
 describe('the tool that sculpts', () => {
@@ -131,7 +132,8 @@ describe('the tool that sculpts', () => {
     expect(session.undoLabel.value).toBe('Sculpt')
   })
 
-  it('shows the area under the stroke fully while it is on, and restores its activation', () => {
+  it('shows the chosen area fully while it is on, and restores its activation', () => {
+    areas.choose('forehead')
     drag(0.02)
     release()
     expect(activations.get('forehead')).toBe(1)
@@ -140,11 +142,11 @@ describe('the tool that sculpts', () => {
     expect(activations.get('forehead')).toBe(0)
   })
 
-  it('adds an area that is always visible on bare skin, and asks once when it shows', () => {
+  it('adds an area that is always visible if none is chosen, and asks once when it shows', () => {
     drag(-0.03)
     release()
     const [, added] = document().areas
-    expect([added.name, added.layer, added.activation]).toEqual(['sculpted', 'up', 1])
+    expect([added.name, added.layer, added.activation]).toEqual(['sculpted', 'sculpted', 1])
     expect(sculpting.added.value).toEqual(['sculpted'])
     drag(-0.02)
     release()
@@ -159,7 +161,7 @@ describe('the tool that sculpts', () => {
     areas.set('area', { layer: 'down' })
     drag(-0.03)
     release()
-    expect([highest(document()), highest(document(), 1) > 100]).toEqual([0, true])
+    expect([highest(document(), 0), highest(document(), 1) > 100]).toEqual([0, true])
     expect(
       document()
         .areas.at(-1)!

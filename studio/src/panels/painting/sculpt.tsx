@@ -26,6 +26,7 @@ export function SculptSettings({ model: { sculpting, actions } }: { model: Panel
         label={TOOLS.sculpt}
         options={MODES}
         value={mode}
+        columns={2}
         onChange={(value) => change({ mode: value })}
       />
       <NumberSlider
