@@ -109,7 +109,7 @@ test('the sculpted heights of a layer can be reset in one step', async () => {
   await page.mouse.up()
   await undoIs(page, 'Sculpt')
   await page.getByRole('tab', { name: 'Maps', exact: true }).click()
-  for (const layer of await page.locator('details.layer:not([open]) > summary').all()) await layer.click()
+  await page.locator('details.layer > summary', { hasText: 'sculpted' }).click()
   await button(page, 'Reset sculpting').click()
   await button(page, 'Reset sculpting').waitFor({ state: 'detached' })
   expect((await savedHeights()).size).toBe(0)
