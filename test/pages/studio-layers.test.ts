@@ -137,7 +137,7 @@ test('a sculpted mesh is baked into a layer, and baking can be cancelled', async
   await page.locator('.layer summary').first().click()
   const sculpt = page.getByLabel(/^Bake a sculpt into/).first()
   await sculpt.setInputFiles(join(folder, 'plain.glb'))
-  await button(page, 'Cancel').click()
+  await button(page, 'Close').last().click()
   expect(await button(page, 'Undo').isDisabled()).toBe(true)
   await sculpt.setInputFiles(join(folder, 'broken.glb'))
   await dismiss(page, 'broken.glb')

@@ -1,5 +1,4 @@
 import { IMAGE } from '../labels/images.ts'
-import { PAGE } from '../labels/page.ts'
 import { REGION } from '../labels/regions.ts'
 import { Check } from '../panels/controls/check.tsx'
 import { Choice } from '../panels/controls/choice.tsx'
@@ -37,14 +36,6 @@ export function ImageQuestion({ model: { images, areas, actions } }: { model: Pa
           {/* The focus on this button lets Enter accept the guesses. */}
           <button type="submit" class="main" data-autofocus>
             {IMAGE.add}
-          </button>
-          <button
-            type="button"
-            onClick={() => {
-              images.isAsking.value = false
-            }}
-          >
-            {PAGE.cancel}
           </button>
         </div>
       </form>
