@@ -59,7 +59,7 @@ async function differenceAtCheek(a: Buffer, b: Buffer): Promise<number> {
 /** Returns the sculpted heights in the saved project, by path. */
 async function savedHeights(): Promise<Map<string, Float32Array>> {
   const files = Object.entries(unzipSync(readFileSync(await (await saveProject(page)).path())))
-  const images = files.filter(([path]) => path.endsWith('/sculpted.png'))
+  const images = files.filter(([path]) => /layers\/.*\/sculpted\.png$/.test(path))
   return new Map(
     await Promise.all(
       images.map(async ([path, bytes]): Promise<[string, Float32Array]> => {
