@@ -120,7 +120,7 @@ describe('heightToNormal', () => {
         flatMetric(10, 10, 4),
       ),
     ).toThrow(
-      'heightToNormal: height map and metric differ in size, got "8 x 8", allowed: 4 x 4, the metric\'s; measure the mesh at the size of the height map',
+      'heightToNormal: height map and metric differ in size, got "8 x 8", allowed: 4 x 4, the size of the metric; measure the metric at the size of the height map',
     )
   })
 })
