@@ -102,7 +102,7 @@ export function panelModel(parts: PanelParts): PanelModel {
       pose: () => face.pose(),
       input: (dial, value) => face.input(dial, value),
       reset: (dials) => face.reset(dials),
-      addAreaImages: (files, convention) => faceAreas.add(files, convention),
+      addAreaImages: (files) => faceAreas.add(files),
       removeArea: (name) => faceAreas.remove(name),
       selectRegion: (name) => {
         lines.editor.choose(null)

@@ -135,7 +135,6 @@ export class Studio {
     const faceAreas = new FaceAreas(this.#face, areas, messages)
     const images = new ImageImport({
       session,
-      areas,
       faceAreas,
       layers,
       messages,

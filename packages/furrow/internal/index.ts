@@ -103,7 +103,7 @@ export { type ActivationPointer, parseActivationPointer } from '../src/core/acti
 export { BLOOD_ABSORPTION, BLOOD_AT_REST, MAX_BLOOD_AMPLITUDE } from '../src/core/blood.ts'
 export { type Bounds, boundsOf, grown } from '../src/core/bounds.ts'
 export { CHANNEL, channelOf } from '../src/core/channels.ts'
-export { resampleGray } from '../src/core/image.ts'
+export { resampleGray, texelAt } from '../src/core/image.ts'
 export { JsonReader } from '../src/core/json.ts'
 export {
   DEFAULT_AREA_SIZE,

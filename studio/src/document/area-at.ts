@@ -1,4 +1,5 @@
 import type { Uv } from 'furrow/author'
+import { texelAt } from 'furrow/internal'
 import type { StudioArea } from './document.ts'
 
 /** Minimum weight of an area at a point of the skin that counts as being on the area, 0..255. */
@@ -12,12 +13,10 @@ export function isBloodArea({ name }: StudioArea): boolean {
 }
 
 /** Returns the name of the area with the greatest weight at a point of the skin, or null if no area covers the point. */
-export function areaAt(areas: readonly StudioArea[], [u, v]: Uv): string | null {
+export function areaAt(areas: readonly StudioArea[], uv: Uv): string | null {
   let best: { name: string; weight: number } | null = null
   for (const { name, weights } of areas) {
-    const { width, height, data } = weights
-    const texel = (at: number, side: number) => Math.min(side - 1, Math.max(0, Math.floor(at * side)))
-    const weight = data[texel(v, height) * width + texel(u, width)] * (BLOOD.test(name) ? 0.2 : 1)
+    const weight = texelAt(weights, uv) * (BLOOD.test(name) ? 0.2 : 1)
     if (weight >= LEAST && weight > (best?.weight ?? 0)) best = { name, weight }
   }
   return best?.name ?? null

@@ -157,13 +157,15 @@ export function areaOf(driver: WrinkleDriver): string | undefined {
   return 'area' in driver && typeof driver.area === 'string' ? driver.area : undefined
 }
 
+/** Whether a driver activates an area. */
+export function isDriven({ drivers }: Pick<StudioDocument, 'drivers'>, name: string): boolean {
+  return drivers.some((driver) => areaOf(driver) === name)
+}
+
 /** Whether an area is visible at rest, or a driver activates it. */
-export function isActivated(
-  { areas, drivers }: Pick<StudioDocument, 'areas' | 'drivers'>,
-  name: string,
-): boolean {
-  const isAtRest = areas.some((area) => area.name === name && area.activation > 0)
-  return isAtRest || drivers.some((driver) => areaOf(driver) === name)
+export function isActivated(document: StudioDocument, name: string): boolean {
+  const isAtRest = document.areas.some((area) => area.name === name && area.activation > 0)
+  return isAtRest || isDriven(document, name)
 }
 
 function rounded(weight: number): number {

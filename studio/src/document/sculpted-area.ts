@@ -3,6 +3,7 @@ import { MAX_LAYERS } from 'furrow/internal'
 import { areaAt, isBloodArea } from './area-at.ts'
 import { addArea, paintArea } from './areas.ts'
 import type { StudioArea, StudioDocument } from './document.ts'
+import { isDriven } from './drivers.ts'
 import { addLayer } from './layers.ts'
 import { freeName } from './names.ts'
 import type { HeightImage, Rectangle } from './sculpted.ts'
@@ -25,11 +26,10 @@ export interface SculptPlace {
  * without lines, because the area would show these too. If there is no room for this layer, it belongs to the area under its start.
  */
 export function sculptPlace(document: StudioDocument, chosen: StudioArea | null, uv: Uv): SculptPlace {
-  const { areas, layers, drivers } = document
+  const { areas, layers } = document
   if (chosen) return { layer: chosen.layer, area: chosen.name }
-  const isDriven = (name: string) => drivers.some((driver) => 'area' in driver && driver.area === name)
   const own = areas.find(
-    ({ name, activation }) => activation === 1 && name.startsWith(SCULPTED) && !isDriven(name),
+    ({ name, activation }) => activation === 1 && name.startsWith(SCULPTED) && !isDriven(document, name),
   )
   if (own) return { layer: own.layer, area: own.name }
   const layer = layers.find(({ name }) => name.startsWith(SCULPTED))?.name

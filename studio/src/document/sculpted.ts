@@ -28,6 +28,7 @@ export interface HeightImage {
   readonly data: Int16Array
 }
 
+/** Rectangle of an image, texels. */
 export interface Rectangle {
   readonly x: number
   readonly y: number

@@ -1,5 +1,5 @@
 import type { HeightMap } from 'furrow/author'
-import { type Bounds, HEIGHT_STEPS_PER_MM, mergeBounds } from 'furrow/internal'
+import { type Bounds, HEIGHT_STEPS_PER_MM, interpolateTexels, mergeBounds } from 'furrow/internal'
 import { type SculptedTile, TILE, tileRectangle } from '../document/sculpted.ts'
 import type { SculptedChanges } from './changes.ts'
 
@@ -65,11 +65,7 @@ export class SculptedSheet {
   /** Interpolates the heights bilinearly. */
   #sample(u: number, v: number): number {
     const { size, data } = this.#own
-    const [x, y] = [u, v].map((at) => Math.min(Math.max(at * size - 0.5, 0), size - 1))
-    const [left, top] = [Math.floor(x), Math.floor(y)]
-    const [right, bottom] = [Math.min(left + 1, size - 1), Math.min(top + 1, size - 1)]
-    const [s, t] = [x - left, y - top]
-    const row = (at: number) => (1 - s) * data[at * size + left] + s * data[at * size + right]
-    return (1 - t) * row(top) + t * row(bottom)
+    const texel = (i: number, j: number) => data[j * size + i]
+    return interpolateTexels({ width: size, height: size }, u * size - 0.5, v * size - 0.5, texel)
   }
 }

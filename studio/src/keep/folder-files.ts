@@ -18,8 +18,8 @@ import {
 const EXTENSIONS: Record<string, string> = { 'image/jpeg': 'jpg', 'image/webp': 'webp', 'image/avif': 'avif' }
 
 /**
- * Makes the files of a project folder for `furrow pack`: `wrinkles.json`, `layers/NAME/*.png` (`sculpted.png` holds sculpted heights), `areas/NAME.png` (with the convention `paper`),
- * `strokes.json` and `face.glb`. Data that these files cannot contain is in `studio.json`. A face with several files is in the folder `face`,
+ * Makes the files of a project folder for `furrow pack`: `wrinkles.json`, `layers/NAME/*.png` (sculpted heights are in `sculpted.png`),
+ * `areas/NAME.png` (with the convention `paper`), `strokes.json` and `face.glb`. Data that these files cannot contain is in `studio.json`. A face with several files is in the folder `face`,
  * for `furrow pack --face`.
  *
  * @param face files of the avatar: the glTF or VRM file, followed by the files that it references.

@@ -1,6 +1,7 @@
 import { computed, effect, type ReadonlySignal, signal } from '@preact/signals'
 import { FurrowError, type GrayImage } from 'furrow'
 import type { SkinCanvas, Uv } from 'furrow/author'
+import { texelAt } from 'furrow/internal'
 import type { StudioArea, StudioDocument } from '../document/document.ts'
 import type { AreaEditor } from '../session/area-editor.ts'
 import type { Session } from '../session/session.ts'
@@ -70,9 +71,7 @@ function isEmpty({ data }: GrayImage): boolean {
 
 /** Whether a line of the area's layer lies on the area. */
 function hasLines({ strokes }: StudioDocument, { layer, weights }: StudioArea): boolean {
-  const { width, height, data } = weights
-  const texel = (at: number, side: number) => Math.min(side - 1, Math.max(0, Math.floor(at * side)))
-  const isOn = ([u, v]: Uv) => data[texel(v, height) * width + texel(u, width)] >= ON_AREA
+  const isOn = (uv: Uv) => texelAt(weights, uv) >= ON_AREA
   return strokes.some((stroke) => stroke.layer === layer && stroke.points.some(isOn))
 }
 

@@ -1,6 +1,6 @@
 import type { GrayImage } from 'furrow'
 import type { SkinCanvas, Uv } from 'furrow/author'
-import { groupShape, paintArea as paintWeights } from 'furrow/internal'
+import { groupShape, paintArea as paintWeights, texelAt } from 'furrow/internal'
 import { addArea, paintArea } from '../document/areas.ts'
 import type { LayerStroke, StudioArea, StudioDocument } from '../document/document.ts'
 import { freeName } from '../document/names.ts'
@@ -85,10 +85,8 @@ function removeSide(name: string): string {
   return name.replace(/(Left|Right)$/, '')
 }
 
-function meanWeight({ width, height, data }: GrayImage, points: readonly Uv[]): number {
-  const texel = (at: number, side: number) => Math.min(side - 1, Math.floor(at * side))
-  const sum = points.reduce((total, [u, v]) => total + data[texel(v, height) * width + texel(u, width)], 0)
-  return sum / points.length
+function meanWeight(weights: GrayImage, points: readonly Uv[]): number {
+  return points.reduce((sum, uv) => sum + texelAt(weights, uv), 0) / points.length
 }
 
 /** Returns the maximum of two images at each texel. Returns `image` itself if `other` is nowhere greater. */

@@ -1,11 +1,5 @@
 import type { GrayImage } from 'furrow'
-
-export interface Rectangle {
-  x: number
-  y: number
-  width: number
-  height: number
-}
+import type { Rectangle } from '../document/sculpted.ts'
 
 /** Square image that brushes change: weights of an area, or heights in whole steps. */
 export type PaintedImage = Omit<GrayImage, 'data'> & { readonly data: Uint8Array | Int16Array }

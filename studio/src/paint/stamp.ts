@@ -1,5 +1,5 @@
 import type { GrayImage } from 'furrow'
-import { crossOf, type SkinSurface } from 'furrow/internal'
+import { crossOf, interpolateTexels, type SkinSurface } from 'furrow/internal'
 import type { SkinPoint } from './paint-skin.ts'
 import { cross } from './vectors.ts'
 
@@ -32,17 +32,9 @@ export class PlacedStamp {
     const along = (axis: ArrayLike<number>) => x * axis[0] + y * axis[1] + z * axis[2]
     const [u, v] = [(1 + along(this.#right)) / 2, (1 - along(this.#up)) / 2]
     if (!(u >= 0 && v >= 0 && u <= 1 && v <= 1)) return 0
-    const [column, row] = [u * width - 0.5, v * height - 0.5]
-    const [left, top] = [Math.floor(column), Math.floor(row)]
-    const [s, t] = [column - left, row - top]
-    const read = (i: number, j: number) =>
-      data[clamped(j, height) * width + clamped(i, width)] * (i > left ? s : 1 - s) * (j > top ? t : 1 - t)
-    return (read(left, top) + read(left + 1, top) + read(left, top + 1) + read(left + 1, top + 1)) / 255
+    const texel = (i: number, j: number) => data[j * width + i]
+    return interpolateTexels(this.#stamp, u * width - 0.5, v * height - 0.5, texel) / 255
   }
-}
-
-function clamped(index: number, count: number): number {
-  return Math.min(Math.max(index, 0), count - 1)
 }
 
 function unit(vector: Float64Array): Float64Array {

@@ -1,5 +1,4 @@
 import type { ReadonlySignal, Signal } from '@preact/signals'
-import type { AreaConvention } from 'furrow'
 import type { WrinkleMode } from 'furrow/three'
 import type { RendererKind } from '../../../stage/stage.ts'
 import type { AutoSettings } from '../document/document.ts'
@@ -94,7 +93,7 @@ export interface PanelActions {
   pose(): ReadonlyMap<string, number>
   input(dial: Dial, value: number): void
   reset(dials: readonly Dial[]): void
-  addAreaImages(files: readonly File[], convention: AreaConvention): void
+  addAreaImages(files: readonly File[]): void
   removeArea(name: string): void
   /** Selects a region, or the whole face if `name` is null. */
   selectRegion(name: string | null): void

@@ -1,5 +1,5 @@
 import { batch, computed, effect, type ReadonlySignal, type Signal, signal } from '@preact/signals'
-import type { GrayImage } from 'furrow'
+import type { AreaConvention, GrayImage } from 'furrow'
 import { resampleGray } from 'furrow/internal'
 import { setAreaSize } from '../document/area-size.ts'
 import {
@@ -32,6 +32,11 @@ export class AreaEditor {
 
   /** Whether imported images of areas are white where there are no wrinkles (the convention `paper`). */
   readonly isPaper = signal(true)
+
+  /** Convention of imported images of areas. */
+  get convention(): AreaConvention {
+    return this.isPaper.peek() ? 'paper' : 'weight'
+  }
 
   /** Area whose controls are shown. */
   readonly chosen: ReadonlySignal<StudioArea | null> = computed(() => {

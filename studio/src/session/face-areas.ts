@@ -1,4 +1,4 @@
-import { type AreaConvention, FurrowError } from 'furrow'
+import { FurrowError } from 'furrow'
 import { MAX_AREAS } from 'furrow/internal'
 import { readArea } from '../area-file.ts'
 import type { Messages } from '../messages.ts'
@@ -18,17 +18,17 @@ export class FaceAreas {
   }
 
   /** Adds images as areas. Reports all failed images in one message. */
-  async add(files: readonly File[], convention: AreaConvention): Promise<void> {
+  async add(files: readonly File[]): Promise<void> {
     await this.#messages.attempt(async () => {
       checkImageCount(files)
       const errors: unknown[] = []
-      for (const file of files) await this.#addOne(file, convention).catch((error) => errors.push(error))
+      for (const file of files) await this.#addOne(file).catch((error) => errors.push(error))
       if (errors.length > 0) throw joinedError(errors, files.length)
     })
   }
 
-  async #addOne(file: File, convention: AreaConvention): Promise<void> {
-    const area = await readArea(file, convention)
+  async #addOne(file: File): Promise<void> {
+    const area = await readArea(file, this.#editor.convention)
     if (this.#editor.hasDocument) return this.#editor.add(area)
     this.#face.change((viewer) => {
       viewer.addArea(area)

@@ -2,7 +2,6 @@ import { effect, type ReadonlySignal, signal } from '@preact/signals'
 import { FurrowError, type RgbaImage } from 'furrow'
 import { decodeImage } from 'furrow/three'
 import type { Messages } from '../messages.ts'
-import type { AreaEditor } from './area-editor.ts'
 import { checkImageCount, type FaceAreas, joinedError } from './face-areas.ts'
 import { guessKind, type ImageKind } from './image-kind.ts'
 import type { LayerEditor } from './layer-editor.ts'
@@ -18,7 +17,6 @@ export interface AskedImage {
 
 export interface ImageImportParts {
   session: Session
-  areas: AreaEditor
   faceAreas: FaceAreas
   layers: LayerEditor
   messages: Messages
@@ -78,11 +76,11 @@ export class ImageImport {
 
   /** Adds the asked images, each in its own undo step. */
   async add(): Promise<void> {
-    const { areas, faceAreas } = this.#parts
+    const { faceAreas } = this.#parts
     const asked = this.#asked.peek()
     this.isAsking.value = false
     const masks = asked.filter(({ kind }) => kind === 'mask').map(({ file }) => file)
-    if (masks.length > 0) await faceAreas.add(masks, areas.isPaper.peek() ? 'paper' : 'weight')
+    if (masks.length > 0) await faceAreas.add(masks)
     for (const { file, kind } of asked) if (kind !== 'mask') await this.#addMap(file, kind)
   }
 

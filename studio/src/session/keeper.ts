@@ -97,7 +97,12 @@ export class Keeper {
       void this.#wait(project)
       return
     }
-    this.#save(project.opened)
+    this.#own(project, project.opened)
+  }
+
+  /** Saves a project from now on, until another tab requests it. @param saved document that it already contains, or null. */
+  #own(project: Project, saved: StudioDocument | null): void {
+    this.#save(saved)
     project.onRequested(() => void this.#handOver(project))
   }
 
@@ -113,9 +118,7 @@ export class Keeper {
       return
     }
     this.#blocked.value = isNewer ? 'newer' : null
-    if (isNewer) return
-    this.#save(null)
-    project.onRequested(() => void this.#handOver(project))
+    if (!isNewer) this.#own(project, null)
   }
 
   /** Saves the project and hands it over to another tab. */

@@ -1,6 +1,17 @@
-import { type Camera, Vector3 } from 'three'
+import { Vector3 } from 'three'
+import type { StudioDocument } from '../document/document.ts'
+import type { SkinHit } from '../paint/picker.ts'
+import type { Viewer } from '../viewer/viewer.ts'
 
 const CORNERS = 64
+
+interface RingPlace {
+  /** Point of the skin under the brush, or null. */
+  hit: SkinHit | null
+  viewer: Viewer | null
+  document: StudioDocument | null
+  radiusAt(hit: SkinHit): number
+}
 
 /** Brush outline on the face, drawn over the stage. */
 export class BrushRing {
@@ -18,21 +29,22 @@ export class BrushRing {
   }
 
   /**
-   * @param point position on the skin, world space.
-   * @param normal unit normal of the skin, world space.
-   * @param radius radius in world units.
+   * Draws the outline at a point of the skin. Hides it if there is no point, viewer or document.
+   *
+   * @param radiusAt returns the radius at the point, millimetres.
    */
-  show(point: Vector3, normal: Vector3, radius: number, camera: Camera): void {
+  update({ hit, viewer, document, radiusAt }: RingPlace): void {
+    if (!hit || !viewer || !document) {
+      this.#outline.removeAttribute('points')
+      return
+    }
+    const { camera } = viewer.stage
     const { clientWidth, clientHeight } = this.#svg
-    const corners = circle(point, normal, radius).map((corner) => {
+    const corners = circle(hit.point, hit.normal, radiusAt(hit) / document.scale).map((corner) => {
       const { x, y } = corner.project(camera)
       return `${(((1 + x) / 2) * clientWidth).toFixed(1)},${(((1 - y) / 2) * clientHeight).toFixed(1)}`
     })
     this.#outline.setAttribute('points', corners.join(' '))
-  }
-
-  hide(): void {
-    this.#outline.removeAttribute('points')
   }
 }
 

@@ -220,14 +220,13 @@ export class Painting {
   }
 
   #drawRing(): void {
-    const [viewer, document] = [this.#parts.viewer.peek(), this.#parts.session.document.peek()]
-    const hit = this.#hit.peek()
-    if (!hit || !viewer || !document) {
-      this.#ring.hide()
-      return
-    }
-    const { point, normal } = hit
-    this.#ring.show(point, normal, this.ringRadius(hit) / document.scale, viewer.stage.camera)
+    const { viewer, session } = this.#parts
+    this.#ring.update({
+      hit: this.#hit.peek(),
+      viewer: viewer.peek(),
+      document: session.document.peek(),
+      radiusAt: (hit) => this.ringRadius(hit),
+    })
   }
 
   /** Returns the radius of the brush outline at a point of the skin, millimetres. It shows the true size of a dab, also where texels are large. */

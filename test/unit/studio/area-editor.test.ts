@@ -61,6 +61,12 @@ describe('the selected area', () => {
   })
 })
 
+it('reads imported images by the convention that the check box sets', () => {
+  expect(areas.convention).toBe('paper')
+  areas.isPaper.value = false
+  expect(areas.convention).toBe('weight')
+})
+
 describe('areas hidden on the stage', () => {
   it('are the muted areas, and all areas except soloed ones if any is soloed', () => {
     areas.toggleMute('frown')

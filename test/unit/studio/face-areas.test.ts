@@ -9,9 +9,9 @@ async function added(count: number) {
   const attempt = async (task: () => unknown) =>
     Promise.resolve(task()).catch((fault) => error(fault.message))
   const messages = { attempt, note: () => {} } as unknown as Messages
-  const editor = { hasDocument: true, add: () => {} } as unknown as AreaEditor
+  const editor = { hasDocument: true, convention: 'paper', add: () => {} } as unknown as AreaEditor
   const files = Array.from({ length: count }, (_, i) => new File(['text'], `${i}.png`))
-  await new FaceAreas({} as ShownFace, editor, messages).add(files, 'paper')
+  await new FaceAreas({} as ShownFace, editor, messages).add(files)
   return error.mock.calls.flat()
 }
 

@@ -1,7 +1,6 @@
 import type { RgbaImage } from 'furrow'
 import { beforeEach, describe, expect, it, test, vi } from 'vitest'
 import type { Messages } from '../../../studio/src/messages.ts'
-import type { AreaEditor } from '../../../studio/src/session/area-editor.ts'
 import type { FaceAreas } from '../../../studio/src/session/face-areas.ts'
 import { ImageImport } from '../../../studio/src/session/image-import.ts'
 import { guessKind } from '../../../studio/src/session/image-kind.ts'
@@ -44,13 +43,8 @@ describe('dropped images', () => {
     errors.length = 0
     images = new ImageImport({
       session,
-      areas: { isPaper: { peek: () => true } } as AreaEditor,
       faceAreas: {
-        add: async (files: File[], convention: string) =>
-          added(
-            files.map(({ name }) => name),
-            convention,
-          ),
+        add: async (files: File[]) => added(files.map(({ name }) => name)),
       } as unknown as FaceAreas,
       layers: {
         importMap: async (layer: string, map: string, file: File) => added(layer, map, file.name),
@@ -85,10 +79,7 @@ describe('dropped images', () => {
     selected = 'down'
     await ask('brow.png', 'brow_normal.png')
     await images.add()
-    expect(added.mock.calls).toEqual([
-      [['brow.png'], 'paper'],
-      ['down', 'normal', 'brow_normal.png'],
-    ])
+    expect(added.mock.calls).toEqual([[['brow.png']], ['down', 'normal', 'brow_normal.png']])
     expect(images.isAsking.value).toBe(false)
   })
 

@@ -13,8 +13,7 @@ import { attempts, frozen, sampleDocument, weightsOf } from './sample-document.t
 vi.mock(import('../../../studio/src/tools/brush-ring.ts'), async (original) => ({
   ...(await original()),
   BrushRing: class {
-    show() {}
-    hide() {}
+    update() {}
   } as never,
 }))
 

@@ -57,6 +57,12 @@ export function resampleGray(image: GrayImage, size: number): GrayImage {
   return { width: size, height: size, data: Uint8Array.from(rows, Math.round) }
 }
 
+/** Returns the value of the texel at texture coordinates. Beyond the image, it is that of the nearest texel. */
+export function texelAt({ width, height, data }: GrayImage, [u, v]: readonly [u: number, v: number]): number {
+  const index = (at: number, side: number) => Math.min(side - 1, Math.max(0, Math.floor(at * side)))
+  return data[index(v, height) * width + index(u, width)]
+}
+
 /** Resamples values like `resampleGray`, without rounding. */
 export function resample(
   data: ArrayLike<number>,

@@ -161,12 +161,7 @@ function AddAreas({ model: { session, areas, actions } }: { model: PanelModel })
             {REGION.add}
           </button>
         )}
-        <FileButton
-          accept="image/*"
-          describedBy="add-hint"
-          isMultiple
-          onChoose={(files) => actions.addAreaImages(files, isPaper.peek() ? 'paper' : 'weight')}
-        >
+        <FileButton accept="image/*" describedBy="add-hint" isMultiple onChoose={actions.addAreaImages}>
           {REGION.addImage}
         </FileButton>
         <Check value={isPaper}>{REGION.paper}</Check>

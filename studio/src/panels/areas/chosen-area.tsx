@@ -90,7 +90,7 @@ export function ChosenArea({ model }: { model: PanelModel }) {
 /** File input that replaces the weights of an area by an image. */
 function FromImage({ name, model: { areas, actions } }: { name: string; model: PanelModel }) {
   const fill = async (file: File) => {
-    const { weights } = await readArea(file, areas.isPaper.peek() ? 'paper' : 'weight')
+    const { weights } = await readArea(file, areas.convention)
     areas.fill(name, weights)
   }
   return (

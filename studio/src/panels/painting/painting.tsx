@@ -4,6 +4,7 @@ import type { Painting } from '../../tools/painting.ts'
 import { Choice } from '../controls/choice.tsx'
 import { NumberSlider } from '../controls/number-slider.tsx'
 import type { PanelModel } from '../model.ts'
+import { BrushSize } from './brush-size.tsx'
 import { PaintChecks } from './paint-checks.tsx'
 import { PolygonControls } from './polygon.tsx'
 
@@ -32,13 +33,7 @@ function BrushControls({ painting }: { painting: Painting }) {
   return (
     <>
       <Choice label="Brush" options={MODES} value={brush.mode} onChange={(mode) => change({ mode })} />
-      <NumberSlider
-        label="Size"
-        range={SIZES}
-        value={2 * brush.radius}
-        text={`${(2 * brush.radius).toFixed(brush.radius < 5 ? 1 : 0)} mm`}
-        onMove={(size) => change({ radius: size / 2 })}
-      />
+      <BrushSize label="Size" radius={brush.radius} range={SIZES} onChange={(radius) => change({ radius })} />
       <NumberSlider
         label="Softness"
         range={[0, 1, 0.01]}

@@ -7,6 +7,7 @@ import { Choice } from '../controls/choice.tsx'
 import { FileButton } from '../controls/file-button.tsx'
 import { NumberSlider } from '../controls/number-slider.tsx'
 import type { PanelModel } from '../model.ts'
+import { BrushSize } from './brush-size.tsx'
 
 const MODES = SCULPT_MODES.map((value) => ({ value, label: SCULPT[value] }))
 
@@ -29,12 +30,11 @@ export function SculptSettings({ model: { sculpting, actions } }: { model: Panel
         columns={2}
         onChange={(value) => change({ mode: value })}
       />
-      <NumberSlider
+      <BrushSize
         label={SCULPT.size}
+        radius={radius}
         range={SIZES}
-        value={2 * radius}
-        text={`${(2 * radius).toFixed(radius < 5 ? 1 : 0)} mm`}
-        onMove={(size) => change({ radius: size / 2 })}
+        onChange={(next) => change({ radius: next })}
       />
       {mode === 'raise' || mode === 'lower' ? (
         <NumberSlider

@@ -27,13 +27,13 @@ export interface StrokeLayerOptions {
 }
 
 /**
- * Height, occlusion, normal and optionally onset map of strokes (wrinkles), with optional sculpted heights. When the strokes change, only the skin within reach of added, removed or replaced
- * strokes is redrawn. While the same stroke is edited repeatedly, the contributions of all other strokes are cached; `prepare` fills this
- * cache before the first edit. Results are bit-identical to a full redraw with `strokesToHeight`, `heightToNormal`, `combineNormals` and
+ * Height, occlusion, normal and optionally onset map of strokes (wrinkles), with optional sculpted heights. When the strokes change, only the
+ * skin within reach of added, removed or replaced strokes is redrawn. While the same stroke is edited repeatedly, the contributions of all
+ * other strokes are cached; `prepare` fills this cache before the first edit. Results are bit-identical to a full redraw with `strokesToHeight`, `heightToNormal`, `combineNormals` and
  * `strokesToOnset`.
  *
- * Memory: 10 bytes per texel (14 with sculpted heights), 64 bytes per half millimetre of stroke, and up to 32 MB while one stroke is edited. Layers with maps of the
- * same size can share a canvas.
+ * Memory: 10 bytes per texel (14 with sculpted heights), 64 bytes per half millimetre of stroke, and up to 32 MB while one stroke is edited.
+ * Layers with maps of the same size can share a canvas.
  */
 export class StrokeLayer {
   /** 255 = unoccluded. `draw` and `sculpt` change this map and the other maps in place. */

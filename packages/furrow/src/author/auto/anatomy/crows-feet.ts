@@ -2,7 +2,7 @@ import { interpolateValues, lerp } from '../../../math/scalar.ts'
 import { length2 } from '../../../math/vector.ts'
 import { filmWavelength } from '../buckling/film.ts'
 import type { ChartPoint } from '../surface/head-chart.ts'
-import { DERMIS, dermisAt } from './dermis.ts'
+import { CROWS_FEET_DERMIS, DERMIS, dermisAt } from './dermis.ts'
 import {
   degreesOf,
   type FaceContext,
@@ -90,7 +90,7 @@ export function crowsFeet(
     name: `crowsFeet${name}`,
     cause: { [`eyeSquint${name}`]: 0.6, [`cheekSquint${name}`]: 1, [`mouthSmile${name}`]: 0.6 },
     film,
-    spacing: filmWavelength(dermisAt(lerp(DERMIS.lid, DERMIS.temple, 0.25), ageFraction)) / film.density,
+    spacing: filmWavelength(dermisAt(CROWS_FEET_DERMIS, ageFraction)) / film.density,
     creasedFraction: byAge(0.42, 0.85),
     maxDepth: byAge(0.47, 0.72),
     atRest: 0.66,

@@ -7,6 +7,9 @@ import { lerp } from '../../../math/scalar.ts'
  */
 export const DERMIS = { lid: 0.58, temple: 0.8, forehead: 1.02, nose: 0.54 } as const
 
+/** Typical thickness under crow's feet, which reach from the lid towards the temple. */
+export const CROWS_FEET_DERMIS = lerp(DERMIS.lid, DERMIS.temple, 0.25)
+
 /**
  * Thickness of the dermis at 80 years, relative to its thickness at 20 years. The collagen of skin decreases by 1% per year (Shuster, Black,
  * McVitie 1975, Br J Dermatol 93). Furrow assumes that the thickness decreases by 0.5% per year.

@@ -1,3 +1,4 @@
+import { texelAt } from '../../../core/image.ts'
 import type { GrayImage } from '../../../core/types.ts'
 import { cos, sin } from '../../../math/elementary.ts'
 import { noise } from '../../../math/noise.ts'
@@ -5,11 +6,11 @@ import { Rng } from '../../../math/rng.ts'
 import { lerp } from '../../../math/scalar.ts'
 import { cross, dot, length, normalize } from '../../../math/vector.ts'
 import type { SkinCanvas } from '../../skin/canvas.ts'
-import { cornersOf, type SurfacePoint } from '../../skin/surface.ts'
-import { normalAt } from '../../skin/walk.ts'
+import type { SurfacePoint } from '../../skin/surface.ts'
+import { normalAt, positionAt } from '../../skin/walk.ts'
 import type { Stroke } from '../../strokes/document.ts'
 import { MAX_TOTAL_LENGTH } from '../../strokes/lay-out.ts'
-import { DERMIS, dermisAt } from '../anatomy/dermis.ts'
+import { CROWS_FEET_DERMIS, DERMIS, dermisAt } from '../anatomy/dermis.ts'
 import { filmWavelength } from '../buckling/film.ts'
 import { creaseLines } from './crease.ts'
 import { type CreaseField, layLinesAlong } from './free-lines.ts'
@@ -50,7 +51,7 @@ export interface AreaLineSettings {
 
 /** Returns the thickness of the dermis of a region at 20 years, millimetres. Default: that of the forehead. */
 function thicknessOf(region: string | undefined): number {
-  if (region === 'crowsFeet') return lerp(DERMIS.lid, DERMIS.temple, 0.25)
+  if (region === 'crowsFeet') return CROWS_FEET_DERMIS
   if (region === 'underEye') return DERMIS.lid
   return region === 'nose' || region === 'noseRoot' ? DERMIS.nose : DERMIS.forehead
 }
@@ -69,24 +70,20 @@ export function layAreaLines(canvas: SkinCanvas, weights: GrayImage, settings: A
   if (covered.length === 0) return []
   const axis = longAxis(covered)
   let lines: LaidLine[] = []
+  let spacing = wavelength
   for (const factor of FACTORS) {
-    const spacing = factor * wavelength
+    spacing = factor * wavelength
     const laid = layLines(canvas, weights, covered, axis, spacing, settings)
     if (laid.length > lines.length) lines = laid
-    if (lines.length < MIN_LINES) continue
-    return strokesOf(lines, spacing)
+    if (lines.length >= MIN_LINES) break
   }
-  return strokesOf(lines, wavelength * FACTORS[FACTORS.length - 1])
-
-  function strokesOf(all: readonly LaidLine[], spacing: number): Stroke[] {
-    const region = {
-      name: settings.stream,
-      spacing,
-      creasedFraction: lerp(0.25, 0.6, ageFraction),
-      maxDepth: lerp(0.4, 0.8, ageFraction),
-    }
-    return [...creaseLines(prepared, region, all, { strength: settings.strength, symmetry: 0 }).strokes]
+  const region = {
+    name: settings.stream,
+    spacing,
+    creasedFraction: lerp(0.25, 0.6, ageFraction),
+    maxDepth: lerp(0.4, 0.8, ageFraction),
   }
+  return [...creaseLines(prepared, region, lines, { strength: settings.strength, symmetry: 0 }).strokes]
 }
 
 function layLines(
@@ -120,10 +117,10 @@ function fieldAlong(
 ): CreaseField {
   const [first, second] = [rng.integer(), rng.integer()]
   const barycentrics = new Float64Array(3)
-  const [normal, across] = [new Float64Array(3), new Float64Array(3)]
+  const [position, normal, across] = [new Float64Array(3), new Float64Array(3), new Float64Array(3)]
   return (triangle, at) => {
     barycentrics.set(at)
-    const compression = COMPRESSION * (weightAt(weights, locator.uvAt(triangle, barycentrics)) / 255)
+    const compression = COMPRESSION * (texelAt(weights, locator.uvAt(triangle, barycentrics)) / 255)
     normalAt(normal, surface, triangle, barycentrics)
     const direction = Float64Array.from(axis)
     const height = dot(axis, normal)
@@ -132,13 +129,7 @@ function fieldAlong(
     if (length(direction) < 0.1) return { direction, compression: 0 }
     normalize(direction)
     cross(across, normal, direction)
-    const position = cornersOf(surface, triangle).reduce(
-      (sum, point, corner) => {
-        for (let k = 0; k < 3; k++) sum[k] += at[corner] * surface.points[3 * point + k]
-        return sum
-      },
-      [0, 0, 0],
-    )
+    positionAt(position, surface, triangle, barycentrics)
     const angle =
       (TURN / 2) *
       (noise(dot(position, axis) / TURN_LENGTH, first) + noise(dot(position, across) / TURN_LENGTH, second))
@@ -169,19 +160,12 @@ function coveredPoints({ surface, texels }: SkinCanvas, weights: GrayImage): Sur
       ((texel % texels.width) + 0.5) / texels.width,
       (Math.floor(texel / texels.width) + 0.5) / texels.height,
     ] as const
-    if (Math.min(a, b, c) < 0 || weightAt(weights, uv) < 255 * MIN_WEIGHT) return
-    const [p, q, r] = cornersOf(surface, triangle)
-    const at = (k: number) =>
-      a * surface.points[3 * p + k] + b * surface.points[3 * q + k] + c * surface.points[3 * r + k]
-    found.push({ triangle, position: [at(0), at(1), at(2)] })
+    if (Math.min(a, b, c) < 0 || texelAt(weights, uv) < 255 * MIN_WEIGHT) return
+    const position = new Float64Array(3)
+    positionAt(position, surface, triangle, Float64Array.of(a, b, c))
+    found.push({ triangle, position: [position[0], position[1], position[2]] })
   })
   return found
-}
-
-/** Returns the weight of the texel at texture coordinates. */
-function weightAt({ width, height, data }: GrayImage, [u, v]: readonly [u: number, v: number]): number {
-  const texel = (at: number, side: number) => Math.min(side - 1, Math.max(0, Math.floor(at * side)))
-  return data[texel(v, height) * width + texel(u, width)]
 }
 
 function meanOf(points: readonly SurfacePoint[]): Float64Array {
