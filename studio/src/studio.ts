@@ -387,7 +387,7 @@ export class Studio {
 
   /** Whether the user paints an area, sculpts or edits lines. The face then keeps its pose. */
   get #isEdited(): boolean {
-    const isPainted = this.#painting.area.value !== null || this.#sculpting.isOn.value
+    const isPainted = this.#painting.isOn.value || this.#sculpting.isOn.value
     return isPainted || this.#lines.editor.isEditing.value
   }
 

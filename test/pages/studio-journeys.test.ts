@@ -136,6 +136,44 @@ test('draw a line that always shows', async () => {
   await finish('draw', 4)
 })
 
+test('paint a wrinkle', async () => {
+  const cheek = [await placeAt(0.66, 0.62), await placeAt(0.69, 0.64)] as const
+  await press('b')
+  await eventually(async () => {
+    inputs = 1
+    await drag(...cheek)
+    expect(await page.getByText('When does this wrinkle show?').count()).toBe(1)
+  })
+  const before = await shootAside(page)
+  await click(button(page, 'Fill with lines'))
+  await undoIs(page, 'Fill painted with lines')
+  await click(button(page, 'Always'))
+  await eventually(async () => {
+    expect(await meanPngDifference(before, await shootAside(page))).toBeGreaterThan(0.02)
+  })
+  await finish('paint', 4)
+  await press('v')
+  await button(page, 'Whole face').first().click()
+  inputs = 0
+})
+
+test('sculpt a bag under each eye', async () => {
+  const bag = [await placeAt(0.57, 0.5), await placeAt(0.62, 0.505)] as const
+  const before = await shootAside(page)
+  await press('c')
+  await press('m')
+  await drag(...bag)
+  await undoIs(page, 'Sculpt')
+  await click(button(page, 'Always'))
+  await eventually(async () => {
+    expect(await meanPngDifference(before, await shootAside(page))).toBeGreaterThan(0.1)
+  })
+  await finish('sculpt', 4)
+  await press('m')
+  await press('v')
+  inputs = 0
+})
+
 test('hide a mesh', async () => {
   const before = await shootAside(page)
   await click(button(page, 'Show brows'))

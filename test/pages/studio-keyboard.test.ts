@@ -89,7 +89,8 @@ const shown = () => page.evaluate(() => document.querySelector<HTMLElement>('.li
 test('opens an avatar, and wrinkles are made for it', async () => {
   await tabTo(/^Project /)
   await press('Enter')
-  await tabTo('Open…')
+  // The card takes the focus in a later frame.
+  await expect.poll(async () => (await focused()).name).toBe('Open…')
   await press('Enter')
   await page.getByRole('button', { name: 'Project Plain' }).waitFor()
   await waitUntilReady(page)

@@ -25,10 +25,14 @@ export function addArea(document: StudioDocument, area: StudioArea): StudioDocum
 }
 
 export function addEmptyArea(document: StudioDocument, name: string): StudioDocument {
-  const { areaSize: side, layers } = document
+  return addArea(document, emptyArea(document, name))
+}
+
+/** Returns an area of the first layer that covers nothing. */
+export function emptyArea({ areaSize: side, layers }: StudioDocument, name: string): StudioArea {
   const weights = { width: side, height: side, data: new Uint8Array(side * side) }
   const combine: Combine = 'sum'
-  return addArea(document, { name, layer: layers[0].name, combine, activation: 0, weights })
+  return { name, layer: layers[0].name, combine, activation: 0, weights }
 }
 
 /**

@@ -1,3 +1,4 @@
+import { regionLabel } from './names.ts'
 import { bytesLabel } from './project.ts'
 
 /** Fields and commands of a region, which the file calls an area. */
@@ -17,7 +18,30 @@ export const REGION = {
   paper: 'White = no wrinkles',
   size: 'Region size',
   reset: 'Reset',
+  resetAll: 'Reset all regions',
+  select: 'Select',
+  removeRow: 'Remove',
+  soloHint: 'Show only this region',
+  hideHint: 'Show the face without this region',
+  imageHint:
+    "Or drop a gray image anywhere. In the paper's convention black shows wrinkles; clear the box if white does.",
+  mirrorHint: 'Add or replace the mirror image of this region',
+  overlapHint: 'How this region combines with other regions of its layer',
+  added: 'Added',
+  maximum: 'Maximum',
+  fromImageHint: 'Replace the painted weights by a gray image',
 } as const
+
+/** Returns the accessible names of a region's controls. @param name name in the file. */
+export function regionLabels(name: string) {
+  return {
+    remove: `Remove region ${name}`,
+    select: `Select ${regionLabel(name)} ${name}`,
+    solo: `Solo ${name}`,
+    hide: `Hide ${name}`,
+    fromImage: `Fill ${name} from an image`,
+  }
+}
 
 /** Returns the label of a square map's size: `128 x 128`. */
 export function sizeLabel(size: number): string {

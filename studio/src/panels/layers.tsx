@@ -1,8 +1,8 @@
 import { MAX_BLOOD_AMPLITUDE } from 'furrow/internal'
 import { useId, useRef } from 'preact/hooks'
 import { MAP_NAMES, type MapName, type StudioLayer } from '../document/document.ts'
+import { LAYER, layerLabels, MAPS, mapLabels } from '../labels/layers.ts'
 import { PLACES } from '../labels/page.ts'
-import { SCULPT } from '../labels/sculpt.ts'
 import type { LayerEditor } from '../session/layer-editor.ts'
 import { Choice } from './controls/choice.tsx'
 import { FileButton } from './controls/file-button.tsx'
@@ -11,23 +11,9 @@ import { Section } from './controls/section.tsx'
 import type { PanelModel } from './model.ts'
 
 const KINDS = [
-  { value: 'detail', label: 'Detail', title: 'Wrinkles only, laid over the skin’s own normal map' },
-  {
-    value: 'replace',
-    label: 'Replace',
-    title: 'Wrinkles and pores that replace the skin’s own normal map',
-  },
+  { value: 'detail', label: LAYER.detail, title: LAYER.detailHint },
+  { value: 'replace', label: LAYER.replace, title: LAYER.replaceHint },
 ] as const
-
-const MAP_LABELS: Record<MapName, string> = {
-  normal: 'Normal',
-  baseColor: 'Colour',
-  roughness: 'Roughness',
-  occlusion: 'Occlusion',
-  height: 'Height',
-  blood: 'Blood',
-  onset: 'Onset',
-}
 
 const IMAGES = 'image/png,image/jpeg,image/webp'
 const SCULPTS = '.glb,.gltf,.vrm'
@@ -59,13 +45,13 @@ export function Layers({ model: { layers, session, actions }, shown }: LayersPro
       ))}
       <div class="add">
         <button type="button" onClick={() => layers.add()}>
-          New layer
+          {LAYER.add}
         </button>
-        <button type="button" title="All layers and areas as images, in a .zip" onClick={() => layers.save()}>
-          Save all maps
+        <button type="button" title={LAYER.saveMapsHint} onClick={() => layers.save()}>
+          {LAYER.saveMaps}
         </button>
-        <button type="button" title="A template to paint regions over" onClick={actions.saveUvLayout}>
-          Save UV layout
+        <button type="button" title={LAYER.saveUvsHint} onClick={actions.saveUvLayout}>
+          {LAYER.saveUvs}
         </button>
       </div>
     </Section>
@@ -98,6 +84,7 @@ function Layer({ layer, isShown, isFirst, isLast, hasStrokes, editor, attempt }:
     layer
   const { sculpted } = layer
   const id = useId()
+  const labels = layerLabels(name)
   return (
     <details class="layer" open={isShown}>
       <summary>
@@ -106,11 +93,11 @@ function Layer({ layer, isShown, isFirst, isLast, hasStrokes, editor, attempt }:
       </summary>
       <div class="settings">
         <div class="setting">
-          <label for={id}>Name</label>
+          <label for={id}>{LAYER.name}</label>
           <input
             id={id}
             type="text"
-            aria-label={`Name of layer ${name}`}
+            aria-label={labels.name}
             autocomplete="off"
             spellcheck={false}
             value={name}
@@ -122,13 +109,13 @@ function Layer({ layer, isShown, isFirst, isLast, hasStrokes, editor, attempt }:
           />
         </div>
         <Choice
-          label="Kind"
+          label={LAYER.kind}
           options={KINDS}
           value={kind}
           onChange={(value) => editor.set(name, { kind: value })}
         />
         <NumberSlider
-          label="Scale"
+          label={LAYER.scale}
           range={[0, 2, 0.05]}
           value={normalScale}
           onMove={(value) => editor.set(name, { normalScale: value })}
@@ -136,7 +123,7 @@ function Layer({ layer, isShown, isFirst, isLast, hasStrokes, editor, attempt }:
         />
         {maps.height && (
           <NumberSlider
-            label="Height, mm"
+            label={LAYER.height}
             range={[0, 10, 0.1]}
             value={1000 * (heightAmplitude ?? 0)}
             onMove={(value) => editor.set(name, { heightAmplitude: value / 1000 })}
@@ -145,7 +132,7 @@ function Layer({ layer, isShown, isFirst, isLast, hasStrokes, editor, attempt }:
         )}
         {maps.blood && (
           <NumberSlider
-            label="Blood"
+            label={LAYER.blood}
             range={[0, MAX_BLOOD_AMPLITUDE, 0.05]}
             value={bloodAmplitude ?? 0}
             onMove={(value) => editor.set(name, { bloodAmplitude: value })}
@@ -154,7 +141,7 @@ function Layer({ layer, isShown, isFirst, isLast, hasStrokes, editor, attempt }:
         )}
         {(maps.onset || isOnsetDrawn) && (
           <NumberSlider
-            label="Onset"
+            label={LAYER.onset}
             range={[0, 1, 0.05]}
             value={onsetStrength ?? 1}
             onMove={(value) => editor.set(name, { onsetStrength: value })}
@@ -174,9 +161,9 @@ function Layer({ layer, isShown, isFirst, isLast, hasStrokes, editor, attempt }:
       ))}
       {sculpted && (
         <div class="map">
-          <span class="label">{SCULPT.sculpted}</span>
+          <span class="label">{LAYER.sculpted}</span>
           <button type="button" onClick={() => editor.resetSculpted(name)}>
-            {SCULPT.reset}
+            {LAYER.resetSculpted}
           </button>
         </div>
       )}
@@ -185,21 +172,21 @@ function Layer({ layer, isShown, isFirst, isLast, hasStrokes, editor, attempt }:
         <button
           type="button"
           aria-disabled={isFirst}
-          aria-label={`Move ${name} up`}
+          aria-label={labels.up}
           onClick={() => editor.move(name, -1)}
         >
-          Up
+          {LAYER.up}
         </button>
         <button
           type="button"
           aria-disabled={isLast}
-          aria-label={`Move ${name} down`}
+          aria-label={labels.down}
           onClick={() => editor.move(name, 1)}
         >
-          Down
+          {LAYER.down}
         </button>
-        <button type="button" aria-label={`Remove layer ${name}`} onClick={() => editor.remove(name)}>
-          Remove
+        <button type="button" aria-label={labels.remove} onClick={() => editor.remove(name)}>
+          {LAYER.remove}
         </button>
       </div>
     </details>
@@ -217,40 +204,46 @@ interface MapRowProps extends Pick<LayerProps, 'layer' | 'editor' | 'attempt'> {
 }
 
 function MapRow({ layer: { name, maps }, map, isDrawn, editor, attempt }: MapRowProps) {
-  const label = MAP_LABELS[map]
+  const labels = mapLabels(map, name)
   const hasImage = maps[map] !== undefined
   return (
     <div class="map">
-      <span class="label">{label}</span>
-      <span class="hint">{hasImage ? (isDrawn ? 'image + lines' : 'image') : isDrawn ? 'lines' : '–'}</span>
+      <span class="label">{MAPS[map]}</span>
+      <span class="hint">{sourceLabel(hasImage, isDrawn)}</span>
       <FileButton
-        label={`Import ${map} of ${name}`}
-        title={`Import ${label.toLowerCase()} map`}
+        label={labels.import}
+        title={labels.importHint}
         accept={IMAGES}
         onChoose={([file]) => attempt(() => editor.importMap(name, map, file))}
       >
-        Import…
+        {LAYER.import}
       </FileButton>
       <button
         type="button"
         disabled={!hasImage && !isDrawn}
-        aria-label={`Save ${map} of ${name}`}
+        aria-label={labels.save}
         onClick={() => editor.saveMap(name, map)}
       >
-        Save
+        {LAYER.save}
       </button>
       <button
         type="button"
         class="remove"
         disabled={!hasImage}
-        title="Remove"
-        aria-label={`Remove ${map} of ${name}`}
+        title={LAYER.remove}
+        aria-label={labels.remove}
         onClick={() => editor.removeMap(name, map)}
       >
         ×
       </button>
     </div>
   )
+}
+
+/** Returns what a map is made from. */
+function sourceLabel(hasImage: boolean, isDrawn: boolean): string {
+  if (hasImage) return isDrawn ? LAYER.imageAndLines : LAYER.image
+  return isDrawn ? LAYER.lines : LAYER.none
 }
 
 /** Button that bakes a sculpt, which the user chooses or drops, into a normal map. Shows the progress. */
@@ -260,23 +253,23 @@ function Bake({ name, editor }: { name: string; editor: LayerEditor }) {
   if (run?.layer === name) {
     return (
       <div class="run">
-        <label for={id}>Baking</label>
+        <label for={id}>{LAYER.baking}</label>
         <progress id={id} max="1" value={run.fraction} />
         <button type="button" class="quiet" onClick={() => editor.cancelBake()}>
-          Cancel
+          {LAYER.cancel}
         </button>
       </div>
     )
   }
   return (
     <FileButton
-      label={`Bake a sculpt into ${name}`}
-      title="A detailed model of the wrinkled face, with the position and size of this face"
+      label={layerLabels(name).bake}
+      title={LAYER.bakeHint}
       accept={SCULPTS}
       isDropTarget
       onChoose={([file]) => editor.bake(name, file)}
     >
-      Bake from a sculpt… or drop one here
+      {LAYER.bake}
     </FileButton>
   )
 }

@@ -29,12 +29,12 @@ export function bindTools(tools: ToolChoice, { session, areas, painting, sculpti
     const tool = tools.tool.value
     const isPainting = tool === 'paint' || tool === 'polygon'
     if (isPainting) painting.shape.value = tool === 'paint' ? 'brush' : 'polygon'
-    // While no region is chosen, the pointer chooses the one to paint.
     const isSculpting = tool === 'sculpt'
-    lines.mode.value = LINE_MODES[tool] ?? (areas.chosen.value || isSculpting ? 'off' : 'select')
-    painting.isOn = isPainting
+    lines.mode.value = LINE_MODES[tool] ?? 'off'
+    painting.isOn.value = isPainting
     sculpting.isOn.value = isSculpting
     if (isPainting || isSculpting || tool === 'draw') lines.choose(null)
+    if (!isPainting && !isSculpting) areas.forgetAdded()
   })
   effect(() => {
     const mirror = tools.mirror.value

@@ -7,6 +7,7 @@ import {
   addArea,
   addEmptyArea,
   duplicateArea,
+  emptyArea,
   mirrorArea,
   mirroredName,
   paintArea,
@@ -28,6 +29,7 @@ export class AreaEditor {
   readonly #chosen = signal<string | null>(null)
   readonly #muted = signal<Names>(new Set())
   readonly #soloed = signal<Names>(new Set())
+  readonly #added = signal<readonly string[]>([])
   #lastHidden: readonly string[] = []
 
   /** Whether imported images of areas are white where there are no wrinkles (the convention `paper`). */
@@ -56,6 +58,12 @@ export class AreaEditor {
     const isSame = hidden.length === last.length && hidden.every((name, i) => name === last[i])
     if (!isSame) this.#lastHidden = hidden
     return this.#lastHidden
+  })
+
+  /** Areas that brushes have added on bare skin. The user has not chosen yet when they show. */
+  readonly added: ReadonlySignal<readonly string[]> = computed(() => {
+    const names = this.#session.document.value?.areas.map(({ name }) => name) ?? []
+    return this.#added.value.filter((name) => names.includes(name))
   })
 
   get hasDocument(): boolean {
@@ -91,6 +99,16 @@ export class AreaEditor {
     this.#soloed.value = toggled(this.#soloed.peek(), name)
   }
 
+  /** Starts the question when an area shows that a brush has added. */
+  askWhen(name: string): void {
+    this.#added.value = [...this.#added.peek(), name]
+  }
+
+  /** Ends the question when the added areas show. */
+  forgetAdded(): void {
+    this.#added.value = []
+  }
+
   addEmpty(): void {
     const name = freeName(this.#areas, 'area')
     this.#edit('Add an area', (document) => addEmptyArea(document, name))
@@ -99,18 +117,26 @@ export class AreaEditor {
 
   /** Adds an area to the first layer, resamples its weights, and chooses it. */
   add({ name, weights }: { name: string; weights: GrayImage }): void {
-    this.#edit(`Add ${name}`, (document) => {
-      const { areaSize, layers } = document
-      const resampled = resampleGray(weights, areaSize)
-      return addArea(document, {
-        name,
-        layer: layers[0].name,
-        combine: 'sum',
-        activation: 0,
-        weights: resampled,
-      })
-    })
+    this.#edit(`Add ${name}`, (document) =>
+      addArea(document, { ...emptyArea(document, name), weights: resampleGray(weights, document.areaSize) }),
+    )
     this.#chooseExisting(name)
+  }
+
+  /**
+   * Replaces the weights of an area and chooses it. Adds it if it is new. Calls are one undo step until `settle`.
+   *
+   * @param area area as it was before it was painted.
+   */
+  paint(area: StudioArea, weights: GrayImage): void {
+    const isNew = !this.#areas.some(({ name }) => name === area.name)
+    this.#edit(
+      `Paint ${area.name}`,
+      (old) => (isNew ? addArea(old, { ...area, weights }) : paintArea(old, area.name, weights)),
+      `paint ${area.name}`,
+    )
+    this.#chooseExisting(area.name)
+    if (isNew) this.askWhen(area.name)
   }
 
   duplicate(name: string): void {
@@ -202,6 +228,7 @@ export class AreaEditor {
     this.#chosen.value = null
     this.#muted.value = new Set()
     this.#soloed.value = new Set()
+    this.#added.value = []
   }
 }
 

@@ -39,8 +39,7 @@ export function Inspector({ model }: { model: PanelModel }) {
   if (!session.document.value) return <FromFile model={model} />
   return (
     <>
-      {tools.mode.value === 'paint' &&
-        (tools.tool.value === 'sculpt' ? <Sculpt model={model} /> : <BrushSettings model={model} />)}
+      {tools.mode.value === 'paint' && <Brush model={model} />}
       {isSmallPage.value && <SelectionCard model={model} />}
       <Heading selected={selected} model={model} />
       <Tabs
@@ -64,16 +63,16 @@ export function Inspector({ model }: { model: PanelModel }) {
   )
 }
 
-/** Settings of the brush that sculpts, and the question when its new regions show. */
-function Sculpt({ model }: { model: PanelModel }) {
-  const { sculpting } = model
-  const added = sculpting.added.value
+/** Settings of the brush, and the question when its new regions show. */
+function Brush({ model }: { model: PanelModel }) {
+  const { tools, areas } = model
+  const added = areas.added.value
   return (
     <>
-      <SculptSettings model={model} />
+      {tools.tool.value === 'sculpt' ? <SculptSettings model={model} /> : <BrushSettings model={model} />}
       {added.length > 0 && (
         <section>
-          <WhenQuestion model={model} added={added} onAnswer={() => sculpting.forgetAdded()} />
+          <WhenQuestion model={model} added={added} onAnswer={() => areas.forgetAdded()} />
         </section>
       )}
     </>

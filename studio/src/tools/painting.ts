@@ -1,8 +1,8 @@
 import { computed, effect, type ReadonlySignal, signal } from '@preact/signals'
 import type { GrayImage } from 'furrow'
 import { updateArea } from 'furrow/three'
-import { Vector3 } from 'three'
-import { paintArea } from '../document/areas.ts'
+import { type Ray, Vector3 } from 'three'
+import { paintedArea } from '../document/painted-area.ts'
 import { BRUSH_DEFAULTS, type Brush, resized } from '../paint/brush.ts'
 import { visibleRadius } from '../paint/dab-size.ts'
 import { mirrorWeights } from '../paint/mirror-weights.ts'
@@ -13,9 +13,10 @@ import type { AreaEditor } from '../session/area-editor.ts'
 import type { Session } from '../session/session.ts'
 import { shortcutOf } from '../shortcuts.ts'
 import type { Viewer } from '../viewer/viewer.ts'
+import type { AreaTarget } from './area-target.ts'
 import { BrushRing } from './brush-ring.ts'
 import type { FaceSkin, PaintedFace } from './face-skin.ts'
-import { type PaintTarget, PaintTool } from './paint-tool.ts'
+import { PaintTool } from './paint-tool.ts'
 import { PolygonPainting } from './polygon-painting.ts'
 import type { StageTool } from './stage-tool.ts'
 import type { TextureCamera } from './texture-camera.ts'
@@ -39,37 +40,39 @@ export interface PaintingParts {
   attempt(task: () => unknown): unknown
 }
 
-/** Lets the user paint the chosen area. Stores the tools and their settings. */
+/** Lets the user paint areas: the chosen one, the one under the pointer, or a new one. Stores the tools and their settings. */
 export class Painting {
   readonly #parts: PaintingParts
-  readonly #isOn = signal(false)
   /** Brush tools for the face and the texture. `host` sends pointer events to the tool. */
-  readonly #tools: { tool: PaintTool; host: ToolHost }[] = []
+  readonly #tools: { tool: PaintTool<AreaTarget>; host: ToolHost }[] = []
   readonly #ring: BrushRing
   readonly #hit = signal<SkinHit | null>(null)
   readonly #stroke = signal<GrayImage | null>(null)
+  /** Whether the current stroke adds its area. */
+  #isAdding = false
 
+  readonly isOn = signal(false)
   readonly brush = signal<Brush>(BRUSH_DEFAULTS)
   /** Whether the user paints with a brush or with polygons. */
   readonly shape = signal<PaintShape>('brush')
   readonly polygon: PolygonPainting
   /** Whether to also paint skin that is hidden from the camera. */
   readonly isHiddenPainted = signal(false)
-  /** Name of the painted area, or null while painting is off. */
+  /** Name of the chosen area, or null while painting is off. */
   readonly area: ReadonlySignal<string | null> = computed(() =>
-    this.#isOn.value ? (this.#parts.areas.chosen.value?.name ?? null) : null,
+    this.isOn.value ? (this.#parts.areas.chosen.value?.name ?? null) : null,
   )
 
   constructor(parts: PaintingParts) {
     this.#parts = parts
     const { session, host } = parts
     this.#ring = new BrushRing(parts.stage)
-    this.#addTool(host, () => this.#targetOnFace(), 'brush')
+    this.#addTool(host, (ray) => this.#targetOnFace(ray), 'brush')
     this.polygon = new PolygonPainting({
       ...parts,
       brush: this.brush,
       preparation: () => this.#preparation(),
-      keep: (area, weights) => this.#keep(area, weights),
+      keep: (target, weights) => this.#keep(target, weights),
     })
     const onFace = this.polygon.addView({
       element: parts.stage,
@@ -80,15 +83,16 @@ export class Painting {
     })
     this.#bind(host, onFace, 'polygon')
     effect(() => {
-      if (this.area.value === null || this.shape.value !== 'polygon') this.polygon.clear()
+      if (!this.isOn.value || this.shape.value !== 'polygon') this.polygon.clear()
     })
     effect(() => {
-      if (this.area.value !== null) void this.#preparation()
+      if (this.isOn.value) void this.#preparation()
     })
     // Cancel the stroke whenever the document changes. Undo, for example, may have replaced the weights that the stroke changes.
     effect(() => {
       session.document.value
-      if (this.area.peek() !== null) for (const { host } of this.#tools) host.cancel()
+      if (this.#isAdding) return
+      if (this.isOn.peek()) for (const { host } of this.#tools) host.cancel()
       this.#stroke.value = null
     })
     effect(() => {
@@ -96,10 +100,6 @@ export class Painting {
       parts.wake()
     })
     addEventListener('keydown', (event) => this.#onKey(event))
-  }
-
-  set isOn(isOn: boolean) {
-    this.#isOn.value = isOn
   }
 
   /** Brush position on the skin, or null. */
@@ -129,7 +129,7 @@ export class Painting {
    * @param element element that shows the texture.
    */
   addTexture(host: ToolHost, element: HTMLElement, { camera }: TextureCamera): void {
-    const target = () => this.#targetOnTexture()
+    const target = (ray?: Ray) => this.#targetOnTexture(ray)
     this.#addTool(host, target, 'brush')
     const positionOf = ({ uv: [u, v] }: SkinHit) => new Vector3(u, -v, 0)
     this.#bind(host, this.polygon.addView({ element, camera: () => camera, target, positionOf }), 'polygon')
@@ -148,16 +148,21 @@ export class Painting {
     this.polygon.advance()
   }
 
-  #addTool(host: ToolHost, target: () => PaintTarget | null, shape: PaintShape): void {
-    const { wake } = this.#parts
-    const tool = new PaintTool({
+  #addTool(host: ToolHost, target: (ray: Ray) => AreaTarget | null, shape: PaintShape): void {
+    const { wake, session } = this.#parts
+    const tool = new PaintTool<AreaTarget>({
       target,
       preparation: () => this.#preparation(),
       onPaint: wake,
-      show: ({ name }, weights) => this.#show(name, weights),
-      keep: ({ name }, weights) => this.#keep(name, weights),
-      discard: ({ name, image }) => {
-        this.#show(name, image)
+      show: (stroke, weights) => {
+        if (!this.#isKnown(stroke)) this.#add(stroke, weights)
+        this.#show(stroke.name, weights)
+      },
+      keep: (stroke, weights) => this.#keep(stroke, weights),
+      discard: (stroke) => {
+        session.settle()
+        if (stroke.isNew && this.#isKnown(stroke)) session.undo()
+        else this.#show(stroke.name, stroke.image)
         wake()
       },
       onHit: (hit) => {
@@ -173,31 +178,55 @@ export class Painting {
   #bind(host: ToolHost, tool: StageTool, shape: PaintShape): void {
     effect(() => {
       this.#parts.viewer.value
-      if (this.area.value === null || this.shape.value !== shape) host.leave(tool)
+      if (!this.isOn.value || this.shape.value !== shape) host.leave(tool)
       else host.choose(tool)
     })
   }
 
-  #keep(area: string, weights: GrayImage): void {
-    this.#parts.session.edit(`Paint ${area}`, (old) => paintArea(old, area, weights))
-    const { mode } = this.brush.peek()
-    if (mode === 'add' || mode === 'fill') this.#parts.onPainted(area)
+  #isKnown({ name }: AreaTarget): boolean {
+    return this.#parts.session.document.peek()?.areas.some((area) => area.name === name) ?? false
   }
 
-  #targetOnFace(): PaintTarget | null {
-    const [viewer, area, face] = [this.#parts.viewer.peek(), this.#parts.areas.chosen.peek(), this.#face()]
-    if (!viewer || !area || !face) return null
+  /** Adds the area of a stroke that has begun on bare skin, so that the face shows it. */
+  #add({ area }: AreaTarget, weights: GrayImage): void {
+    this.#isAdding = true
+    try {
+      // Copy the weights, because the stroke changes them in place.
+      this.#parts.areas.paint(area, { ...weights, data: weights.data.slice() })
+    } finally {
+      this.#isAdding = false
+    }
+  }
+
+  #keep({ area }: AreaTarget, weights: GrayImage): void {
+    const { areas, onPainted } = this.#parts
+    areas.paint(area, weights)
+    areas.settle()
+    const { mode } = this.brush.peek()
+    if (mode === 'add' || mode === 'fill') onPainted(area.name)
+  }
+
+  #targetOnFace(ray?: Ray): AreaTarget | null {
+    const [viewer, face] = [this.#parts.viewer.peek(), this.#face()]
+    if (!viewer || !face) return null
     const { skin, picker } = face
     const sight = this.isHiddenPainted.peek() ? undefined : picker.sightFrom(viewer.stage.camera.position)
-    return { name: area.name, image: area.weights, brush: this.brush.peek(), skin, picker, sight }
+    return this.#target({ skin, picker, sight }, ray)
   }
 
   /** Returns a target without a visibility test, because painting on the texture includes hidden skin. */
-  #targetOnTexture(): PaintTarget | null {
-    const [area, face] = [this.#parts.areas.chosen.peek(), this.#face()]
-    if (!area || !face) return null
-    const { skin, texture: picker } = face
-    return { name: area.name, image: area.weights, brush: this.brush.peek(), skin, picker }
+  #targetOnTexture(ray?: Ray): AreaTarget | null {
+    const face = this.#face()
+    return face && this.#target({ skin: face.skin, picker: face.texture }, ray)
+  }
+
+  #target(skin: Pick<AreaTarget, 'skin' | 'picker' | 'sight'>, ray?: Ray): AreaTarget | null {
+    const document = this.#parts.session.document.peek()
+    if (!document) return null
+    const chosen = this.#parts.areas.chosen.peek()
+    const area = paintedArea(document, chosen, chosen || !ray ? undefined : skin.picker.pick(ray)?.uv)
+    const isNew = !document.areas.includes(area)
+    return { ...skin, name: area.name, image: area.weights, brush: this.brush.peek(), area, isNew }
   }
 
   /** Returns the open face, or null until its skin is ready. */

@@ -1,10 +1,11 @@
 import { type ReadonlySignal, signal } from '@preact/signals'
+import type { GrayImage } from 'furrow'
 import type { Camera, Vector3 } from 'three'
 import type { Brush } from '../paint/brush.ts'
 import type { SkinHit } from '../paint/picker.ts'
 import { paintPolygon } from '../paint/polygon.ts'
 import { shortcutOf } from '../shortcuts.ts'
-import type { PaintTarget } from './paint-tool.ts'
+import type { AreaTarget } from './area-target.ts'
 import { Polygon } from './polygon.ts'
 import { PolygonOutline } from './polygon-outline.ts'
 import { PolygonTool } from './polygon-tool.ts'
@@ -18,7 +19,7 @@ export interface PolygonView {
   element: HTMLElement
   camera(): Camera | null
   /** Returns null if there is nothing to paint. */
-  target(): PaintTarget | null
+  target(): AreaTarget | null
   /** Returns the position of a skin point in the scene of the camera, or null if no face is open. */
   positionOf(hit: SkinHit): Vector3 | null
 }
@@ -27,7 +28,7 @@ export interface PolygonPaintingParts {
   brush: ReadonlySignal<Brush>
   /** Returns a promise that settles when the skin is ready, or null if there is nothing to wait for. */
   preparation(): Promise<unknown> | null
-  keep(area: string, painted: PaintTarget['image']): void
+  keep(target: AreaTarget, painted: GrayImage): void
   /** Requests the next frame. */
   wake(): void
   attempt(task: () => void): unknown
@@ -100,7 +101,7 @@ export class PolygonPainting {
       feather: this.feather.peek(),
     } as const
     const { image, dirty } = paintPolygon(target.image, points, brush, target.skin, target.sight)
-    if (dirty) this.#parts.keep(target.name, image)
+    if (dirty) this.#parts.keep(target, image)
   }
 
   #onKey(event: KeyboardEvent): void {

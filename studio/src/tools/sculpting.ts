@@ -1,4 +1,4 @@
-import { computed, effect, type ReadonlySignal, signal } from '@preact/signals'
+import { effect, type ReadonlySignal, signal } from '@preact/signals'
 import type { Ray } from 'three'
 import type { StudioDocument } from '../document/document.ts'
 import { sculptedOn, setSculpted } from '../document/layers.ts'
@@ -44,7 +44,6 @@ export class Sculpting {
   readonly #tools: { tool: PaintTool<SculptTarget>; host: ToolHost }[] = []
   readonly #ring: BrushRing
   readonly #hit = signal<SkinHit | null>(null)
-  readonly #added = signal<readonly string[]>([])
   readonly #revealed: RevealedAreas
   /** Document that the current stroke has made, or null before its first change. */
   #made: StudioDocument | null = null
@@ -52,11 +51,6 @@ export class Sculpting {
 
   readonly isOn = signal(false)
   readonly settings = signal<SculptSettings>(SCULPT_DEFAULTS)
-  /** Areas that strokes on bare skin have added. The user has not chosen yet when they show. */
-  readonly added = computed(() => {
-    const names = this.#parts.session.document.value?.areas.map(({ name }) => name) ?? []
-    return this.#added.value.filter((name) => names.includes(name))
-  })
 
   constructor(parts: SculptingParts) {
     this.#parts = parts
@@ -65,10 +59,8 @@ export class Sculpting {
     this.#revealed = new RevealedAreas(viewer)
     this.#addTool(parts.host, (ray) => this.#targetOnFace(ray))
     effect(() => {
-      if (!this.isOn.value) {
-        this.#revealed.end()
-        this.#added.value = []
-      } else void this.#preparation()
+      if (!this.isOn.value) this.#revealed.end()
+      else void this.#preparation()
     })
     // Cancel the stroke if something else changes the document, for example undo.
     effect(() => {
@@ -90,11 +82,6 @@ export class Sculpting {
   /** Adds a tool for sculpting on the texture. @param host tool host whose rays come from the texture camera. */
   addTexture(host: ToolHost): void {
     this.#addTool(host, (ray) => this.#targetOnTexture(ray))
-  }
-
-  /** Ends the question when the added areas show. */
-  forgetAdded(): void {
-    this.#added.value = []
   }
 
   /** Shows the current stroke and updates the outline. Call before each frame. */
@@ -136,7 +123,7 @@ export class Sculpting {
   }
 
   #edit({ name, place, image: before }: SculptTarget, image: HeightImage, changed: Rectangle): void {
-    const { session } = this.#parts
+    const { session, areas } = this.#parts
     const isNew = !session.document.peek()?.areas.some((area) => area.name === place.area)
     this.#isEditing = true
     try {
@@ -154,8 +141,7 @@ export class Sculpting {
     }
     const document = session.document.peek()
     this.#made = document
-    if (isNew && document?.areas.some((area) => area.name === place.area))
-      this.#added.value = [...this.#added.peek(), place.area]
+    if (isNew && document?.areas.some((area) => area.name === place.area)) areas.askWhen(place.area)
     this.#revealed.show(this.settings.peek().mirror ? [place.area, otherSide(place.area)] : [place.area])
   }
 

@@ -6,9 +6,9 @@ import { imageOf } from '../../../studio/src/document/sculpted.ts'
 import { AreaEditor } from '../../../studio/src/session/area-editor.ts'
 import { Session } from '../../../studio/src/session/session.ts'
 import { Sculpting, type SculptingParts } from '../../../studio/src/tools/sculpting.ts'
-import type { StageTool } from '../../../studio/src/tools/stage-tool.ts'
-import { pickerOf, plainSheet, pointerAt } from './paint/skins.ts'
+import { pickerOf, plainSheet } from './paint/skins.ts'
 import { attempts, frozen, sampleDocument, weightsOf } from './sample-document.ts'
+import { ToolHand } from './tool-hand.ts'
 
 vi.mock(import('../../../studio/src/tools/brush-ring.ts'), async (original) => ({
   ...(await original()),
@@ -19,24 +19,7 @@ vi.mock(import('../../../studio/src/tools/brush-ring.ts'), async (original) => (
 
 const { skin, picker } = pickerOf(plainSheet())
 
-/** Host that gives access to the chosen tool, and cancels its gesture like `ToolHost`. */
-class Host {
-  tool: StageTool | null = null
-  isHeld = false
-  choose(tool: StageTool) {
-    this.tool = tool
-  }
-  leave() {
-    this.tool = null
-  }
-  cancel() {
-    if (!this.isHeld) return
-    this.isHeld = false
-    this.tool!.cancel()
-  }
-}
-
-let host: Host
+let host: ToolHand
 let session: Session
 let areas: AreaEditor
 let sculpting: Sculpting
@@ -46,7 +29,7 @@ let errors: string[]
 
 beforeEach(() => {
   vi.stubGlobal('addEventListener', () => {})
-  host = new Host()
+  host = new ToolHand()
   session = new Session()
   const { attempt, ...others } = attempts()
   errors = others.errors
@@ -82,21 +65,8 @@ afterEach(() => {
   expect(errors).toEqual([])
 })
 
-/** Moves the pointer from one height on the sheet to another, in metres. Draws a frame after each event. */
-function drag(...ys: number[]): void {
-  host.isHeld = host.tool!.begin(pointerAt(0, ys[0]))
-  sculpting.advance()
-  for (const y of ys.slice(1)) {
-    host.tool!.move([pointerAt(0, y)])
-    sculpting.advance()
-  }
-}
-
-function release(): void {
-  host.isHeld = false
-  host.tool!.end()
-}
-
+const drag = (...ys: number[]) => host.drag(() => sculpting.advance(), ...ys)
+const release = () => host.release()
 const document = () => session.document.value!
 /** Returns the greatest sculpted height of a layer. @param i index of the layer, default: the last one. */
 const highest = ({ layers }: StudioDocument, i = layers.length - 1) =>
@@ -136,7 +106,7 @@ describe('the tool that sculpts', () => {
     drag(0.02)
     release()
     expect(activations.get('forehead')).toBe(1)
-    expect(sculpting.added.value).toEqual([])
+    expect(areas.added.value).toEqual([])
     sculpting.isOn.value = false
     expect(activations.get('forehead')).toBe(0)
   })
@@ -146,13 +116,13 @@ describe('the tool that sculpts', () => {
     release()
     const [, added] = document().areas
     expect([added.name, added.layer, added.activation]).toEqual(['sculpted', 'sculpted', 1])
-    expect(sculpting.added.value).toEqual(['sculpted'])
+    expect(areas.added.value).toEqual(['sculpted'])
     drag(-0.02)
     release()
     expect(document().areas.length).toBe(2)
     session.undo()
     session.undo()
-    expect(sculpting.added.value).toEqual([])
+    expect(areas.added.value).toEqual([])
   })
 
   it('sculpts the layer of the chosen area', () => {

@@ -3,7 +3,7 @@ import type { StudioDocument } from '../../document/document.ts'
 import { splitSide } from '../../document/sides.ts'
 import { regionLabel } from '../../labels/names.ts'
 import { PLACES } from '../../labels/page.ts'
-import { REGION } from '../../labels/regions.ts'
+import { REGION, regionLabels } from '../../labels/regions.ts'
 import type { AreaEditor } from '../../session/area-editor.ts'
 import { Icon } from '../../ui/icon.tsx'
 import type { Dial } from '../../viewer/pose/dials.ts'
@@ -35,7 +35,7 @@ export function Areas({ model }: { model: PanelModel }) {
     hovered.value = dial && { kind: 'area', name: dial.name }
   }
   const reset = (
-    <button type="button" class="quiet" aria-label="Reset all regions" onClick={() => actions.reset(dials)}>
+    <button type="button" class="quiet" aria-label={REGION.resetAll} onClick={() => actions.reset(dials)}>
       {REGION.reset}
     </button>
   )
@@ -58,8 +58,8 @@ export function Areas({ model }: { model: PanelModel }) {
               <button
                 type="button"
                 class="remove"
-                title="Remove"
-                aria-label={`Remove region ${dial.name}`}
+                title={REGION.removeRow}
+                aria-label={regionLabels(dial.name).remove}
                 onClick={() => {
                   removed.current = index
                   actions.removeArea(dial.name)
@@ -106,8 +106,8 @@ function ChooseArea({ name, model }: { name: string; model: PanelModel }) {
       <input
         type="radio"
         name="chosen-area"
-        title="Select"
-        aria-label={`Select ${regionLabel(name)} ${name}`}
+        title={REGION.select}
+        aria-label={regionLabels(name).select}
         checked={areas.chosen.value?.name === name}
         onChange={() => actions.selectRegion(name)}
         onFocus={({ currentTarget }) => {
@@ -125,13 +125,14 @@ function ChooseArea({ name, model }: { name: string; model: PanelModel }) {
 
 /** Buttons for solo and mute, which change the face on the stage but not the document. */
 function ShownToggles({ name, areas }: { name: string; areas: AreaEditor }) {
+  const labels = regionLabels(name)
   return (
     <>
       <button
         type="button"
         class="toggle"
-        title="Show only this region"
-        aria-label={`Solo ${name}`}
+        title={REGION.soloHint}
+        aria-label={labels.solo}
         aria-pressed={areas.soloed.value.has(name)}
         onClick={() => areas.toggleSolo(name)}
       >
@@ -140,8 +141,8 @@ function ShownToggles({ name, areas }: { name: string; areas: AreaEditor }) {
       <button
         type="button"
         class="toggle"
-        title="Show the face without this region"
-        aria-label={`Hide ${name}`}
+        title={REGION.hideHint}
+        aria-label={labels.hide}
         aria-pressed={areas.muted.value.has(name)}
         onClick={() => areas.toggleMute(name)}
       >
@@ -167,8 +168,7 @@ function AddAreas({ model: { session, areas, actions } }: { model: PanelModel })
         <Check value={isPaper}>{REGION.paper}</Check>
       </div>
       <p id="add-hint" class="hint">
-        Or drop a gray image anywhere. In the paper's convention black shows wrinkles; clear the box if white
-        does.
+        {REGION.imageHint}
       </p>
     </>
   )

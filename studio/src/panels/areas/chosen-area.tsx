@@ -3,14 +3,14 @@ import { readArea } from '../../area-file.ts'
 import type { StudioArea } from '../../document/document.ts'
 import { regionLabel } from '../../labels/names.ts'
 import { PLACES } from '../../labels/page.ts'
-import { REGION } from '../../labels/regions.ts'
+import { REGION, regionLabels } from '../../labels/regions.ts'
 import { FileButton } from '../controls/file-button.tsx'
 import { NumberSlider } from '../controls/number-slider.tsx'
 import type { PanelModel } from '../model.ts'
 
 const COMBINATIONS: readonly { value: StudioArea['combine']; label: string }[] = [
-  { value: 'sum', label: 'Added' },
-  { value: 'max', label: 'Maximum' },
+  { value: 'sum', label: REGION.added },
+  { value: 'max', label: REGION.maximum },
 ]
 
 /** Settings of the chosen area, which the page calls a region. */
@@ -35,7 +35,7 @@ export function ChosenArea({ model }: { model: PanelModel }) {
         </button>
         <button
           type="button"
-          title="Add or replace the mirror image of this region"
+          title={REGION.mirrorHint}
           onClick={() => areas.mirror(name, (weights) => model.painting.mirrored(weights))}
         >
           {REGION.mirror}
@@ -68,7 +68,7 @@ export function ChosenArea({ model }: { model: PanelModel }) {
             <label for={`${id}-combine`}>{REGION.overlap}</label>
             <select
               id={`${id}-combine`}
-              title="How this region combines with other regions of its layer"
+              title={REGION.overlapHint}
               value={area.combine}
               onChange={({ currentTarget }) =>
                 areas.set(name, { combine: currentTarget.value as StudioArea['combine'] })
@@ -95,8 +95,8 @@ function FromImage({ name, model: { areas, actions } }: { name: string; model: P
   }
   return (
     <FileButton
-      label={`Fill ${name} from an image`}
-      title="Replace the painted weights by a gray image"
+      label={regionLabels(name).fromImage}
+      title={REGION.fromImageHint}
       accept="image/*"
       onChoose={([file]) => actions.attempt(() => fill(file))}
     >

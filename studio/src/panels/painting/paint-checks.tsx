@@ -1,3 +1,4 @@
+import { PAINT } from '../../labels/brushes.ts'
 import type { Painting } from '../../tools/painting.ts'
 import { Check } from '../controls/check.tsx'
 
@@ -5,8 +6,8 @@ import { Check } from '../controls/check.tsx'
 export function PaintChecks({ painting }: { painting: Painting }) {
   return (
     <div class="add checks">
-      <Check value={painting.isHiddenPainted} title="Also paint skin that the camera does not see">
-        Paint through
+      <Check value={painting.isHiddenPainted} title={PAINT.throughHint}>
+        {PAINT.through}
       </Check>
     </div>
   )

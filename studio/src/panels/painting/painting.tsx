@@ -1,3 +1,4 @@
+import { BRUSH, PAINT } from '../../labels/brushes.ts'
 import { PLACES, TOOLS } from '../../labels/page.ts'
 import { BRUSH_MODES, type Brush } from '../../paint/brush.ts'
 import type { Painting } from '../../tools/painting.ts'
@@ -8,8 +9,7 @@ import { BrushSize } from './brush-size.tsx'
 import { PaintChecks } from './paint-checks.tsx'
 import { PolygonControls } from './polygon.tsx'
 
-const titled = <T extends string>(value: T) => ({ value, label: value[0].toUpperCase() + value.slice(1) })
-const MODES = BRUSH_MODES.map(titled)
+const MODES = BRUSH_MODES.map((value) => ({ value, label: PAINT[value] }))
 
 /** Minimum, maximum and step of the slider for the diameter, millimetres. With keys, users can exceed this range. */
 const SIZES = [1, 80, 0.5] as const
@@ -19,7 +19,7 @@ export function BrushSettings({ model: { painting, areas } }: { model: PanelMode
   const isBrush = painting.shape.value === 'brush'
   return (
     <section class="brush" aria-label={isBrush ? PLACES.brush : TOOLS.polygon}>
-      {!areas.chosen.value && <p class="hint">Click a region on the face or in the list, then paint it.</p>}
+      {!areas.chosen.value && <p class="hint">{PAINT.noRegion}</p>}
       {isBrush ? <BrushControls painting={painting} /> : <PolygonControls painting={painting} />}
     </section>
   )
@@ -32,25 +32,27 @@ function BrushControls({ painting }: { painting: Painting }) {
   }
   return (
     <>
-      <Choice label="Brush" options={MODES} value={brush.mode} onChange={(mode) => change({ mode })} />
-      <BrushSize label="Size" radius={brush.radius} range={SIZES} onChange={(radius) => change({ radius })} />
+      <Choice label={PLACES.brush} options={MODES} value={brush.mode} onChange={(mode) => change({ mode })} />
+      <BrushSize
+        label={BRUSH.size}
+        radius={brush.radius}
+        range={SIZES}
+        onChange={(radius) => change({ radius })}
+      />
       <NumberSlider
-        label="Softness"
+        label={BRUSH.softness}
         range={[0, 1, 0.01]}
         value={brush.softness}
         onMove={(softness) => change({ softness })}
       />
       <NumberSlider
-        label="Flow"
+        label={PAINT.flow}
         range={[0.01, 1, 0.01]}
         value={brush.flow}
         onMove={(flow) => change({ flow })}
       />
       <PaintChecks painting={painting} />
-      <p class="hint">
-        Drag on the face. Alt, two fingers, or a drag beside the face move the camera. Keys: [ and ] for the
-        size, X for add or remove, Esc to take a stroke back.
-      </p>
+      <p class="hint">{PAINT.hint}</p>
     </>
   )
 }

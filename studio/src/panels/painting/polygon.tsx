@@ -1,11 +1,13 @@
+import { PAINT, POLYGON } from '../../labels/brushes.ts'
+import { TOOLS } from '../../labels/page.ts'
 import type { Painting } from '../../tools/painting.ts'
 import { Choice } from '../controls/choice.tsx'
 import { NumberSlider } from '../controls/number-slider.tsx'
 import { PaintChecks } from './paint-checks.tsx'
 
 const MODES = [
-  { value: 'add', label: 'Add' },
-  { value: 'remove', label: 'Remove' },
+  { value: 'add', label: PAINT.add },
+  { value: 'remove', label: PAINT.remove },
 ] as const
 
 /** Settings of polygons, and buttons that replace keys on touch screens. */
@@ -15,7 +17,7 @@ export function PolygonControls({ painting }: { painting: Painting }) {
   return (
     <>
       <Choice
-        label="Polygon"
+        label={TOOLS.polygon}
         options={MODES}
         value={brush.value.mode === 'remove' ? 'remove' : 'add'}
         onChange={(mode) => {
@@ -23,7 +25,7 @@ export function PolygonControls({ painting }: { painting: Painting }) {
         }}
       />
       <NumberSlider
-        label="Feather"
+        label={POLYGON.feather}
         range={[0, 30, 0.5]}
         value={polygon.feather.value}
         text={`${polygon.feather.value} mm`}
@@ -34,16 +36,13 @@ export function PolygonControls({ painting }: { painting: Painting }) {
       <PaintChecks painting={painting} />
       <div class="add">
         <button type="button" disabled={count < 3} onClick={() => polygon.close()}>
-          Close polygon
+          {POLYGON.close}
         </button>
         <button type="button" disabled={count === 0} onClick={() => polygon.clear()}>
-          Clear
+          {POLYGON.clear}
         </button>
       </div>
-      <p class="hint">
-        Click points on the face or on its texture. Enter, or a click on the first point, closes the polygon;
-        Backspace takes the last point back, Esc all of them.
-      </p>
+      <p class="hint">{POLYGON.hint}</p>
     </>
   )
 }

@@ -1,6 +1,6 @@
 import { readArea } from '../../area-file.ts'
+import { BRUSH, SCULPT } from '../../labels/brushes.ts'
 import { TOOLS } from '../../labels/page.ts'
-import { SCULPT } from '../../labels/sculpt.ts'
 import { SCULPT_MODES } from '../../paint/brush.ts'
 import type { SculptSettings as Settings } from '../../tools/sculpt-settings.ts'
 import { Choice } from '../controls/choice.tsx'
@@ -31,7 +31,7 @@ export function SculptSettings({ model: { sculpting, actions } }: { model: Panel
         onChange={(value) => change({ mode: value })}
       />
       <BrushSize
-        label={SCULPT.size}
+        label={BRUSH.size}
         radius={radius}
         range={SIZES}
         onChange={(next) => change({ radius: next })}
@@ -52,7 +52,7 @@ export function SculptSettings({ model: { sculpting, actions } }: { model: Panel
         />
       )}
       <NumberSlider
-        label={SCULPT.softness}
+        label={BRUSH.softness}
         range={[0, 1, 0.01]}
         value={softness}
         onMove={(value) => change({ softness: value })}
