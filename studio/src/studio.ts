@@ -254,7 +254,7 @@ export class Studio {
       }),
     )
     keepFocus(document.body)
-    effect(() => this.#face.highlight(this.#painting.area.value))
+    effect(() => this.#face.highlight(this.#painting.highlighted.value))
     effect(() => {
       const hovered = this.#face.hovered.value
       this.#face.perform(this.#isEdited ? null : hovered)

@@ -137,7 +137,7 @@ test('draw a line that always shows', async () => {
 })
 
 test('paint a wrinkle', async () => {
-  const cheek = [await placeAt(0.66, 0.62), await placeAt(0.69, 0.64)] as const
+  const cheek = [await placeAt(0.675, 0.53), await placeAt(0.69, 0.57)] as const
   await press('b')
   await eventually(async () => {
     inputs = 1

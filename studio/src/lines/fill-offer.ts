@@ -1,13 +1,9 @@
 import { computed, effect, type ReadonlySignal, signal } from '@preact/signals'
 import { FurrowError, type GrayImage } from 'furrow'
-import type { SkinCanvas, Uv } from 'furrow/author'
-import { texelAt } from 'furrow/internal'
-import type { StudioArea, StudioDocument } from '../document/document.ts'
+import type { SkinCanvas } from 'furrow/author'
+import { hasLines, ON_AREA } from '../document/lines-on-area.ts'
 import type { AreaEditor } from '../session/area-editor.ts'
 import type { Session } from '../session/session.ts'
-
-/** Minimum weight of an area at a point of a line that is on it, 0..255. */
-const ON_AREA = 32
 
 export interface FillOfferParts {
   session: Session
@@ -67,12 +63,6 @@ export class FillOffer {
 
 function isEmpty({ data }: GrayImage): boolean {
   return data.every((weight) => weight < ON_AREA)
-}
-
-/** Whether a line of the area's layer lies on the area. */
-function hasLines({ strokes }: StudioDocument, { layer, weights }: StudioArea): boolean {
-  const isOn = (uv: Uv) => texelAt(weights, uv) >= ON_AREA
-  return strokes.some((stroke) => stroke.layer === layer && stroke.points.some(isOn))
 }
 
 function noSkinError(area: string): FurrowError {

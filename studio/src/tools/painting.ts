@@ -2,6 +2,7 @@ import { computed, effect, type ReadonlySignal, signal } from '@preact/signals'
 import type { GrayImage } from 'furrow'
 import { updateArea } from 'furrow/three'
 import { type Ray, Vector3 } from 'three'
+import { hasLines } from '../document/lines-on-area.ts'
 import { paintedArea } from '../document/painted-area.ts'
 import { BRUSH_DEFAULTS, type Brush, resized } from '../paint/brush.ts'
 import { visibleRadius } from '../paint/dab-size.ts'
@@ -48,6 +49,7 @@ export class Painting {
   readonly #ring: BrushRing
   readonly #hit = signal<SkinHit | null>(null)
   readonly #stroke = signal<GrayImage | null>(null)
+  readonly #isOver = computed(() => this.#hit.value !== null || this.#stroke.value !== null)
   /** Whether the current stroke adds its area. */
   #isAdding = false
 
@@ -62,6 +64,14 @@ export class Painting {
   readonly area: ReadonlySignal<string | null> = computed(() =>
     this.isOn.value ? (this.#parts.areas.chosen.value?.name ?? null) : null,
   )
+
+  /** Name of the area to highlight, or null. Lines that the area shows are covered only while the brush is over the skin. */
+  readonly highlighted: ReadonlySignal<string | null> = computed(() => {
+    const [document, name] = [this.#parts.session.document.value, this.area.value]
+    const area = document?.areas.find((each) => each.name === name)
+    const isCovered = this.#isOver.value || !document || !area || !hasLines(document, area)
+    return isCovered ? name : null
+  })
 
   constructor(parts: PaintingParts) {
     this.#parts = parts

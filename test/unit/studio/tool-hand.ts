@@ -35,6 +35,11 @@ export class ToolHand {
     }
   }
 
+  /** Moves the released pointer to a height on the sheet, metres. Null: off the stage. */
+  hover(y: number | null): void {
+    this.#tool!.hover!(y === null ? null : pointerAt(0, y))
+  }
+
   release(): void {
     this.#isHeld = false
     this.#tool!.end()
