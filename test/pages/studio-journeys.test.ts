@@ -78,14 +78,16 @@ async function placeAt(x: number, y: number): Promise<Place> {
   return { x: box.x + x * box.width, y: box.y + y * box.height }
 }
 
+/** Whether a line lights up, in the frame after next. */
+const isLit = () =>
+  page.locator('canvas.lines').evaluate(async (canvas: HTMLCanvasElement) => {
+    await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)))
+    const { data } = canvas.getContext('2d')!.getImageData(0, 0, canvas.width, canvas.height)
+    return data.some((value) => value > 0)
+  })
+
 /** Moves the pointer down the right half of the forehead until a line lights up, and returns the place. */
 async function findLine(): Promise<Place> {
-  const isLit = () =>
-    page.locator('canvas.lines').evaluate(async (canvas: HTMLCanvasElement) => {
-      await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)))
-      const { data } = canvas.getContext('2d')!.getImageData(0, 0, canvas.width, canvas.height)
-      return data.some((value) => value > 0)
-    })
   return eventually(async () => {
     for (let y = 0.14; y < 0.3; y += 0.006) {
       const place = await placeAt(0.56, y)
@@ -119,6 +121,22 @@ test('deepen a wrinkle and its counterpart', async () => {
   await expect.poll(() => slider(page, 'Depth, mm').inputValue().then(Number)).toBeGreaterThan(0.3)
   await press('m')
   await finish('deepen', 3)
+})
+
+test('the overlay follows the pointer in the next frame', async () => {
+  const line = await findLine()
+  const away = await placeAt(0.95, 0.95)
+  await page.mouse.move(away.x, away.y)
+  await expect.poll(isLit).toBe(false)
+  const isLitAtOnce = await page.evaluate(async ({ x, y }) => {
+    const moved = { bubbles: true, clientX: x, clientY: y, pointerType: 'mouse', isPrimary: true }
+    document.elementFromPoint(x, y)!.dispatchEvent(new PointerEvent('pointermove', moved))
+    await new Promise(requestAnimationFrame)
+    const canvas = document.querySelector<HTMLCanvasElement>('canvas.lines')!
+    const { data } = canvas.getContext('2d')!.getImageData(0, 0, canvas.width, canvas.height)
+    return data.some((value) => value > 0)
+  }, line)
+  expect(isLitAtOnce).toBe(true)
 })
 
 test('draw a line that always shows', async () => {
