@@ -167,6 +167,7 @@ export class Studio {
       session,
       areas,
       canvas: async () => (await this.#lines.readySkin())?.canvas ?? null,
+      onFilled: () => this.#painting.uncover(),
       attempt,
     })
     this.#sculpting = new Sculpting({

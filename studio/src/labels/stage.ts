@@ -38,7 +38,7 @@ export const VIEW_HINTS = {
 export const HINTS = {
   click: 'Click a wrinkle to select it.',
   drag: 'Drag across the line to deepen it, or move a slider of the card.',
-  keys: 'Press 1 to 9 to see other expressions.',
+  keys: 'Press 1 to 9, or a picture below, to see other expressions.',
 } as const
 
 /** Fields of the cards over the face. */

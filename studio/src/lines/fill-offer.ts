@@ -1,15 +1,21 @@
 import { computed, effect, type ReadonlySignal, signal } from '@preact/signals'
 import { FurrowError, type GrayImage } from 'furrow'
-import type { SkinCanvas } from 'furrow/author'
-import { hasLines, ON_AREA } from '../document/lines-on-area.ts'
+import type { SkinCanvas, Uv } from 'furrow/author'
+import { texelAt } from 'furrow/internal'
+import type { StudioArea, StudioDocument } from '../document/document.ts'
 import type { AreaEditor } from '../session/area-editor.ts'
 import type { Session } from '../session/session.ts'
+
+/** Minimum weight of an area at a point of a line that is on it, 0..255. */
+const ON_AREA = 32
 
 export interface FillOfferParts {
   session: Session
   areas: Pick<AreaEditor, 'chosen'>
   /** Returns the skin of the current face, or null if it cannot be prepared. */
   canvas(): Promise<SkinCanvas | null>
+  /** Called when a region has been filled. */
+  onFilled(): void
   /** Runs a task and shows its errors. */
   attempt(task: () => unknown): unknown
 }
@@ -49,7 +55,7 @@ export class FillOffer {
 
   /** Fills the region with lines, in one undo step; see `fillArea`. */
   fill(): void {
-    const { session, canvas, attempt } = this.#parts
+    const { session, canvas, onFilled, attempt } = this.#parts
     const name = this.offered.peek()
     if (name === null) return
     this.#painted.value = null
@@ -57,12 +63,19 @@ export class FillOffer {
       const [{ fillArea }, skin] = await Promise.all([import('./fill-area.ts'), canvas()])
       if (!skin) throw noSkinError(name)
       session.edit(`Fill ${name} with lines`, (document) => fillArea(document, name, skin))
+      onFilled()
     })
   }
 }
 
 function isEmpty({ data }: GrayImage): boolean {
   return data.every((weight) => weight < ON_AREA)
+}
+
+/** Whether a line of the area's layer lies on the area. */
+function hasLines({ strokes }: StudioDocument, { layer, weights }: StudioArea): boolean {
+  const isOn = (uv: Uv) => texelAt(weights, uv) >= ON_AREA
+  return strokes.some((stroke) => stroke.layer === layer && stroke.points.some(isOn))
 }
 
 function noSkinError(area: string): FurrowError {

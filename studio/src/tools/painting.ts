@@ -2,7 +2,6 @@ import { computed, effect, type ReadonlySignal, signal } from '@preact/signals'
 import type { GrayImage } from 'furrow'
 import { updateArea } from 'furrow/three'
 import { type Ray, Vector3 } from 'three'
-import { hasLines } from '../document/lines-on-area.ts'
 import { paintedArea } from '../document/painted-area.ts'
 import { BRUSH_DEFAULTS, type Brush, resized } from '../paint/brush.ts'
 import { visibleRadius } from '../paint/dab-size.ts'
@@ -49,7 +48,7 @@ export class Painting {
   readonly #ring: BrushRing
   readonly #hit = signal<SkinHit | null>(null)
   readonly #stroke = signal<GrayImage | null>(null)
-  readonly #isOver = computed(() => this.#hit.value !== null || this.#stroke.value !== null)
+  readonly #isUncovered = signal(false)
   /** Whether the current stroke adds its area. */
   #isAdding = false
 
@@ -65,13 +64,10 @@ export class Painting {
     this.isOn.value ? (this.#parts.areas.chosen.value?.name ?? null) : null,
   )
 
-  /** Name of the area to highlight, or null. Lines that the area shows are covered only while the brush is over the skin. */
-  readonly highlighted: ReadonlySignal<string | null> = computed(() => {
-    const [document, name] = [this.#parts.session.document.value, this.area.value]
-    const area = document?.areas.find((each) => each.name === name)
-    const isCovered = this.#isOver.value || !document || !area || !hasLines(document, area)
-    return isCovered ? name : null
-  })
+  /** Name of the area to highlight, or null. */
+  readonly highlighted: ReadonlySignal<string | null> = computed(() =>
+    this.#isUncovered.value ? null : this.area.value,
+  )
 
   constructor(parts: PaintingParts) {
     this.#parts = parts
@@ -151,6 +147,11 @@ export class Painting {
     return open ? mirrorWeights(weights, posedSkinOf(open.meshes, open.scale).skin) : weights
   }
 
+  /** Ends the highlight of the area until the brush is over the skin again, so that users see its wrinkles. */
+  uncover(): void {
+    this.#isUncovered.value = true
+  }
+
   /** Shows the current stroke and updates the outlines. Call before each frame. */
   advance(): void {
     for (const { tool } of this.#tools) tool.showStroke()
@@ -177,6 +178,7 @@ export class Painting {
       },
       onHit: (hit) => {
         this.#hit.value = hit
+        if (hit) this.#isUncovered.value = false
         this.#drawRing()
       },
     })

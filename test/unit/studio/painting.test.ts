@@ -133,27 +133,13 @@ describe('painting without a chosen area', () => {
     expect(session.undoLabel.value).toBeUndefined()
   })
 
-  it('highlights an area with lines only while the brush is over the skin', () => {
-    const [line] = sampleDocument().strokes
-    session.edit('add a line', (old) => ({
-      ...old,
-      strokes: [
-        {
-          ...line,
-          layer: old.areas[0].layer,
-          points: [
-            [0.4, 0.1],
-            [0.6, 0.1],
-          ],
-        },
-      ],
-    }))
+  it('uncovers the area until the brush is over the skin again', () => {
     areas.choose('forehead')
+    expect(painting.highlighted.value).toBe('forehead')
+    painting.uncover()
+    hand.hover(null)
     expect(painting.highlighted.value).toBeNull()
     hand.hover(0.02)
     expect(painting.highlighted.value).toBe('forehead')
-    areas.addEmpty()
-    hand.hover(null)
-    expect(painting.highlighted.value).toBe('area')
   })
 })

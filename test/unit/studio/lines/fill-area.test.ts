@@ -30,7 +30,7 @@ beforeEach(() => {
   areas.choose('new')
   const attempt = async (task: () => unknown) =>
     Promise.resolve(task()).catch((error) => errors.push(error.message))
-  fill = new FillOffer({ session, areas, canvas: async () => canvas, attempt })
+  fill = new FillOffer({ session, areas, canvas: async () => canvas, onFilled: () => {}, attempt })
 })
 
 it('painted skin without lines is filled in one undo step, and is then visible', async () => {
