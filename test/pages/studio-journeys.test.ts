@@ -124,6 +124,7 @@ test('deepen a wrinkle and its counterpart', async () => {
 })
 
 test('the overlay follows the pointer in the next frame', async () => {
+  await button(page, 'Whole face').click()
   const line = await findLine()
   const away = await placeAt(0.95, 0.95)
   await page.mouse.move(away.x, away.y)

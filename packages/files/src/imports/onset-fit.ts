@@ -31,7 +31,7 @@ const INFLUENCES = spread(0, 1, 201)
 /** Weights of the source for which the curve is fitted. All others get their own onset and weight afterwards. */
 const FITTED_WEIGHTS = [0.5, 1]
 const COARSE_WEIGHTS = spread(0.1, 1, 19)
-const FINE_WEIGHTS = spread(0, 1, 41)
+const FINE_WEIGHTS = spread(0, 1, 201)
 const STRENGTHS = [0.2, 0.35, 0.5, 1]
 /** The fit alternates between onsets and curve so many times. */
 const ROUNDS = 8

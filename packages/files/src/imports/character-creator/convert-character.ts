@@ -4,9 +4,9 @@ import { channelOf, type Pixels } from '../../images/pixels.ts'
 import { targetNamesOf } from '../../json/gltf-json.ts'
 import type { AreaToPack, LayerToPack } from '../../pack/set-to-pack.ts'
 import { cellOf } from '../area-cells.ts'
+import { largestWeights, sumsOfWeights } from '../combine-weights.ts'
 import { type FaceToImport, faceColours, faceNormalMap } from '../face-maps.ts'
 import type { ImportedSet, ImportSettings } from '../imported-set.ts'
-import { largestWeights } from '../largest-weights.ts'
 import { LayerCanvas, normalBytes } from '../layer-canvas.ts'
 import { FLOW_LEVELS, fitOnset, type OnsetFit } from '../onset-fit.ts'
 import type { SourceFiles } from '../source-files.ts'
@@ -61,7 +61,9 @@ export async function convertCharacter(
     })
     const flowPath = character.textures[set].Flow
     const flow = flowPath === undefined ? undefined : channelOf(await read(flowPath), 0)
-    const shown = largestWeights(own.map(({ weights }) => weights))
+    const ownWeights = own.map(({ weights }) => weights)
+    const shown = largestWeights(ownWeights)
+    const sums = sumsOfWeights(ownWeights)
     const changes =
       flow &&
       changesPerFlow(flow, shown, await changesOf(normals, base, character, set, face, size, read, who))
@@ -69,7 +71,7 @@ export async function convertCharacter(
     fits.set(set, fit)
     areas.push(
       ...(flow
-        ? own.map((area) => ({ ...area, weights: fittedWeights(area.weights, shown, flow, fit) }))
+        ? own.map((area) => ({ ...area, weights: fittedWeights(area.weights, shown, sums, flow, fit) }))
         : own),
     )
     const canvas = new LayerCanvas(size)
@@ -203,10 +205,25 @@ function changesPerFlow(flow: GrayImage, shown: GrayImage, changes: Float32Array
   return largest
 }
 
-function fittedWeights(weights: GrayImage, shown: GrayImage, flow: GrayImage, fit: OnsetFit): GrayImage {
+/**
+ * Returns the weights of an area for the curve of a fit. Where areas overlap, takes the mean of the weight for this area alone and of its share
+ * for all areas together. The curve of a sum is not the sum of the curves.
+ *
+ * @param sums sums of the weights of all areas, 0..255 per area.
+ */
+function fittedWeights(
+  weights: GrayImage,
+  shown: GrayImage,
+  sums: Uint16Array,
+  flow: GrayImage,
+  fit: OnsetFit,
+): GrayImage {
   const coarse = resampleGray(flow, weights.width)
   const data = weights.data.map((weight, i) => {
-    return Math.round(255 * fit.weightOf(coarse.data[i] / 255, weight / 255, shown.data[i] / 255))
+    const fitted = (one: number) => fit.weightOf(coarse.data[i] / 255, one / 255, shown.data[i] / 255)
+    const alone = fitted(weight)
+    const together = sums[i] > weight ? fitted(Math.min(255, sums[i])) * (weight / sums[i]) : alone
+    return Math.round((255 * (alone + together)) / 2)
   })
   return { ...weights, data }
 }
