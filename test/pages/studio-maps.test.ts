@@ -30,6 +30,7 @@ let page: Page
 beforeAll(async () => {
   ;({ page } = studio)
   await dropPlain(page, folder, AREA)
+  await page.getByText('Making wrinkles').waitFor({ state: 'detached' })
 })
 
 const texture = () => page.getByRole('application', { name: /^Texture/ })
