@@ -16,11 +16,11 @@ addEventListener(
 )
 addEventListener('unhandledrejection', ({ reason }) => complaints.push(String(reason?.stack ?? reason)))
 
-/** Files saved by the page, newest last. */
+/** Files saved by the page, newest last. Pictures that the page shows are not among them. */
 const savedFiles = []
 const createObjectURL = URL.createObjectURL
 URL.createObjectURL = (blob) => {
-  savedFiles.push(blob)
+  if (!blob.type?.startsWith('image/')) savedFiles.push(blob)
   return createObjectURL.call(URL, blob)
 }
 

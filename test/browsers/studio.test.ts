@@ -121,7 +121,9 @@ describe.each(DRIVEN)('studio in %s', (_, kind) => {
         await window.dragSlider(1, `#targets .row:has(label[title=${shape}]) input[type=range]`)
       }
       await showPanel('Regions')
-      await window.until("furrowTest.findElement('input[type=range]', 'foreheadInnerLeft')?.value > 0.8")
+      await window.until(
+        "document.querySelector('#areas .row:has(label[title=foreheadInnerLeft]) input[type=range]')?.value > 0.8",
+      )
     }
 
     const save = (step: string) => window.save(`studio-${width}-${step}`)
