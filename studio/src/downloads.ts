@@ -25,7 +25,9 @@ export class Downloads {
     return this.#messages.attempt(async () => {
       await this.#workspace.export(options)
       const state = this.#workspace.exporting.state.peek()
-      if (state?.kind === 'done') saveFile(new Blob([state.face.bytes as BlobPart]), state.name)
+      if (state?.kind !== 'done') return
+      saveFile(new Blob([state.face.bytes as BlobPart]), state.name)
+      this.#messages.note(`Saved ${state.name}`)
     })
   }
 
@@ -54,7 +56,11 @@ export class Downloads {
     const auto = this.#workspace.session.document.peek()?.auto
     if (!viewer || !auto) return
     const text = jsonFile({ version: 1, ...presetOf(auto) }) as BlobPart
-    saveFile(new Blob([text], { type: 'application/json' }), `${viewer.avatar.name}-preset.json`)
+    const name = `${viewer.avatar.name}-preset.json`
+    saveFile(new Blob([text], { type: 'application/json' }), name)
+    this.#messages.note(
+      `Saved ${name}. It has the settings of automatic wrinkles, without lines, paint and sculpting`,
+    )
   }
 
   copyCode(text: string): Promise<unknown> {

@@ -105,6 +105,8 @@ export function panelModel(parts: PanelParts): PanelModel {
       addAreaImages: (files) => faceAreas.add(files),
       removeArea: (name) => faceAreas.remove(name),
       selectRegion: (name) => {
+        // The tools for lines have no settings of a region.
+        if (name !== null && tools.mode.peek() === 'lines') tools.choose('select')
         lines.editor.choose(null)
         areas.choose(name)
       },

@@ -207,7 +207,7 @@ test('apply a preset to a second avatar', async () => {
   await wrinkles()
   inputs = 0
   const download = page.waitForEvent('download')
-  await click(button(page, 'Save preset…'))
+  await click(button(page, 'Save preset'))
   await (await download).saveAs(join(studio.folder, 'preset.json'))
   copyFileSync(join(studio.folder, 'plain.glb'), join(studio.folder, 'second.glb'))
   await drop('second.glb')

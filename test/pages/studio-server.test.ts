@@ -92,7 +92,9 @@ async function expectAlive(): Promise<void> {
 
 test('unreadable faces are left out of the list, with one line each', async () => {
   await expectAlive()
-  const left = warnings.map((text) => /^faces: skipped "(.*)", got an incomplete .glb \(.*\)$/.exec(text)?.[1])
+  const left = warnings.map(
+    (text) => /^faces: skipped "(.*)", got an incomplete .glb \(.*\)$/.exec(text)?.[1],
+  )
   expect([...new Set(left)].sort()).toEqual(['cut-off.glb', 'empty.glb', 'header.glb', 'text.glb'])
 })
 

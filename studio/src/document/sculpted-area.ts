@@ -10,7 +10,7 @@ import type { HeightImage, Rectangle } from './sculpted.ts'
 
 /** Name of the area and of the layer that are added for sculpted skin if no area is chosen. */
 const SCULPTED = 'sculpted'
-/** Minimum weight of a layer's areas at a texel, 0..255, for which the layer counts as shown there. */
+/** Minimum weight of an area at a texel, 0..255, for which it counts as shown there. */
 const SHOWN = 128
 /** Texels around a sculpted texel of an area that get full weight, because areas are filtered bilinearly. */
 const MARGIN = 1
@@ -48,7 +48,7 @@ export function addSculptedLayer(document: StudioDocument, { layer }: SculptPlac
 }
 
 /**
- * Extends an area, so that its layer is shown wherever a stroke has sculpted it. Adds the area if it does not exist.
+ * Extends an area, so that it shows all that a stroke has sculpted. Adds the area if it does not exist.
  *
  * @param before heights before the stroke.
  * @param after heights with the stroke.
@@ -62,13 +62,12 @@ export function coverSculpted(
   changed: Rectangle,
 ): StudioDocument {
   const { areas, areaSize } = document
-  const shown = areas.filter((each) => each.layer === layer && !isBloodArea(each))
   const own = areas.find(({ name }) => name === area)
   const data = own ? own.weights.data.slice() : new Uint8Array(areaSize ** 2)
   let isGrown = false
   for (const texel of sculptedTexels(before, after, changed, areaSize)) {
-    const weight = shown.reduce((sum, { weights }) => sum + weights.data[texel], own ? 0 : data[texel])
-    if (weight >= SHOWN) continue
+    // Other areas of the layer do not count, because they can be hidden while this one is visible.
+    if (data[texel] >= SHOWN) continue
     isGrown = true
     const [x, y] = [texel % areaSize, Math.floor(texel / areaSize)]
     for (let row = Math.max(y - MARGIN, 0); row <= Math.min(y + MARGIN, areaSize - 1); row++) {

@@ -6,7 +6,7 @@ export const AUTOMATIC = {
   size: 'Map size',
   shuffle: 'Shuffle',
   regions: 'Regions with wrinkles',
-  savePreset: 'Save preset…',
+  savePreset: 'Save preset',
   applyPreset: 'Apply preset…',
 } as const
 

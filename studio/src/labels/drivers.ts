@@ -28,7 +28,8 @@ export const WHEN = {
   expressions: 'Expressions that show it',
   noExpression: 'No expression of this avatar shows it.',
   strongest: 'Strongest drivers',
-  noDriver: 'No driver shows it, only its slider.',
+  noDriver: 'No expression shows it, only its slider.',
+  always: 'It is always visible. No expression changes it.',
 } as const
 
 /** Pairs of blendshapes that cancel each other. */

@@ -67,8 +67,8 @@ export const PREFERENCES = {
 
 /** List of the avatar's meshes. */
 export const MESHES = {
-  show: 'Show',
-  hide: 'Hide',
+  show: 'Show on the stage',
+  hide: 'Hide on the stage; the exported file keeps it',
   skin: 'Skin',
   unnamed: 'mesh',
 } as const

@@ -1,6 +1,7 @@
 import type { GrayImage } from 'furrow'
 import type { SkinCanvas, Uv } from 'furrow/author'
 import { groupShape, paintArea as paintWeights, texelAt } from 'furrow/internal'
+import { isBloodArea } from '../document/area-at.ts'
 import { addArea, paintArea } from '../document/areas.ts'
 import type { LayerStroke, StudioArea, StudioDocument } from '../document/document.ts'
 import { freeName } from '../document/names.ts'
@@ -67,11 +68,12 @@ function areasOf({ areas }: StudioDocument, group: string): StudioArea[] {
 }
 
 /**
- * Returns the name of the area with the greatest mean weight at the points of a line. If the line is also on the area of the other side,
+ * Returns the name of the area of wrinkles with the greatest mean weight at the points of a line. If the line is also on the area of the other side,
  * returns the name without its side.
  */
 function groupUnder({ areas }: StudioDocument, points: readonly Uv[]): string | undefined {
   const under = areas
+    .filter((area) => !isBloodArea(area))
     .map(({ name, weights }) => ({ name, mean: meanWeight(weights, points) }))
     .filter(({ mean }) => mean >= UNDER)
     .sort((a, b) => b.mean - a.mean)

@@ -147,7 +147,7 @@ export class Painting {
     return open ? mirrorWeights(weights, posedSkinOf(open.meshes, open.scale).skin) : weights
   }
 
-  /** Ends the highlight of the area until the brush is over the skin again, so that users see its wrinkles. */
+  /** Ends the highlight of the area until the next stroke, so that users see its wrinkles. */
   uncover(): void {
     this.#isUncovered.value = true
   }
@@ -166,6 +166,7 @@ export class Painting {
       preparation: () => this.#preparation(),
       onPaint: wake,
       show: (stroke, weights) => {
+        this.#isUncovered.value = false
         if (!this.#isKnown(stroke)) this.#add(stroke, weights)
         this.#show(stroke.name, weights)
       },
@@ -178,7 +179,6 @@ export class Painting {
       },
       onHit: (hit) => {
         this.#hit.value = hit
-        if (hit) this.#isUncovered.value = false
         this.#drawRing()
       },
     })

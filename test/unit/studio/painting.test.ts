@@ -133,13 +133,14 @@ describe('painting without a chosen area', () => {
     expect(session.undoLabel.value).toBeUndefined()
   })
 
-  it('uncovers the area until the brush is over the skin again', () => {
+  it('uncovers the area until the next stroke', () => {
+    painting.brush.value = { ...painting.brush.value, mode: 'remove' }
     areas.choose('forehead')
     expect(painting.highlighted.value).toBe('forehead')
     painting.uncover()
-    hand.hover(null)
-    expect(painting.highlighted.value).toBeNull()
     hand.hover(0.02)
+    expect(painting.highlighted.value).toBeNull()
+    drag(0.02)
     expect(painting.highlighted.value).toBe('forehead')
   })
 })

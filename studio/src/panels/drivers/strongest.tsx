@@ -19,7 +19,10 @@ interface StrongestProps {
 /** Strongest inputs of an area's drivers: a bar with the activation that each gives when it is full, and its curve. */
 export function Strongest({ drivers, context }: StrongestProps) {
   const inputs = strongestInputs(drivers, context.area, MOST)
-  if (inputs.length === 0) return <p class="hint">{WHEN.noDriver}</p>
+  if (inputs.length === 0) {
+    const isAlwaysVisible = (context.model.areas.chosen.value?.activation ?? 0) > 0
+    return <p class="hint">{isAlwaysVisible ? WHEN.always : WHEN.noDriver}</p>
+  }
   return (
     <section class="strongest" aria-label={WHEN.strongest}>
       <h3>{WHEN.strongest}</h3>

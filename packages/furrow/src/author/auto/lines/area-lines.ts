@@ -80,8 +80,8 @@ export function layAreaLines(canvas: SkinCanvas, weights: GrayImage, settings: A
   const region = {
     name: settings.stream,
     spacing,
-    creasedFraction: lerp(0.25, 0.6, ageFraction),
-    maxDepth: lerp(0.4, 0.8, ageFraction),
+    creasedFraction: lerp(0.5, 0.8, ageFraction),
+    maxDepth: lerp(0.7, 1.2, ageFraction),
   }
   return [...creaseLines(prepared, region, lines, { strength: settings.strength, symmetry: 0 }).strokes]
 }
