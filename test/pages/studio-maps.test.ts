@@ -42,6 +42,8 @@ test('the texture is shown next to the face, moves by keys and wheel, and resets
   const [stage, view] = await Promise.all([page.locator('#stage').boundingBox(), texture().boundingBox()])
   expect(stage!.width).toBeCloseTo(width / 2, 0)
   expect(view!.x).toBeCloseTo(stage!.x + stage!.width, 0)
+  // Gives the texture the focus, whose ring is in all pictures.
+  await texture().press('0')
   const whole = await shootTexture()
   const moved = async () => expect(await meanPngDifference(whole, await shootTexture())).toBeGreaterThan(3)
   for (const key of ['+', 'ArrowRight']) {
