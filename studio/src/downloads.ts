@@ -1,6 +1,7 @@
 import { jsonFile } from 'furrow-files'
 import { presetOf } from './document/preset.ts'
 import type { ExportOptions } from './export/export-document.ts'
+import type { Live } from './live/live.ts'
 import type { Messages } from './messages.ts'
 import { saveFile } from './save-file.ts'
 import { savePicture } from './save-picture.ts'
@@ -61,6 +62,13 @@ export class Downloads {
     this.#messages.note(
       `Saved ${name}. It has the settings of automatic wrinkles, without lines, paint and sculpting`,
     )
+  }
+
+  /** Saves the calibration of a person for the source that runs. */
+  saveCalibration({ calibration, sender }: Live): void {
+    if (!calibration) return
+    const text = jsonFile(calibration) as BlobPart
+    saveFile(new Blob([text], { type: 'application/json' }), `calibration-${sender.peek()}.json`)
   }
 
   copyCode(text: string): Promise<unknown> {

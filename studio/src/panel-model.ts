@@ -5,6 +5,8 @@ import type { Hints } from './first/hints.ts'
 import type { FillOffer } from './lines/fill-offer.ts'
 import type { Lines } from './lines/lines.ts'
 import type { PageLink } from './link/page-link.ts'
+import { readCalibration } from './live/calibrations.ts'
+import type { Live } from './live/live.ts'
 import type { Messages } from './messages.ts'
 import type { Dialogs, PanelModel } from './panels/model.ts'
 import type { AreaEditor } from './session/area-editor.ts'
@@ -14,6 +16,7 @@ import type { LayerEditor } from './session/layer-editor.ts'
 import type { Opening } from './session/opening.ts'
 import type { Saving } from './session/saving.ts'
 import type { ShapeEditor } from './session/shape-editor.ts'
+import type { TakeEditor } from './session/take-editor.ts'
 import type { Workspace } from './session/workspace.ts'
 import type { Painting } from './tools/painting.ts'
 import type { Sculpting } from './tools/sculpting.ts'
@@ -44,12 +47,14 @@ export interface PanelParts {
   faces: ReadonlySignal<readonly string[]>
   dialogs: Dialogs
   hints: Hints
+  live: Live
+  takes: TakeEditor
 }
 
 export function panelModel(parts: PanelParts): PanelModel {
   const { workspace, saving, face, lines, areas, faceAreas, images, layers, shapes, painting, fill, tools } =
     parts
-  const { sculpting, opening, host, downloads, link, messages, faces, dialogs, hints } = parts
+  const { sculpting, opening, host, downloads, link, messages, faces, dialogs, hints, live, takes } = parts
   const { session, automatic, exporting, keeping, settings } = workspace
   const { viewer, frame, revision, expression, hovered, staging, player, meshes, pictures } = face
   return {
@@ -81,6 +86,8 @@ export function panelModel(parts: PanelParts): PanelModel {
     meshes,
     pictures,
     player,
+    live,
+    takes,
     actions: {
       attempt: (task) => void messages.attempt(task),
       openFiles: (files) => opening.openFiles(async () => filesOfInput(files)),
@@ -99,6 +106,10 @@ export function panelModel(parts: PanelParts): PanelModel {
           shown.look = look
         }),
       play: (name) => face.play(name),
+      startLive: () => void messages.attempt(() => live.start()),
+      saveCalibration: () => downloads.saveCalibration(live),
+      loadCalibration: (file) =>
+        void messages.attempt(async () => live.setCalibration(await readCalibration(file))),
       pose: () => face.pose(),
       input: (dial, value) => face.input(dial, value),
       reset: (dials) => face.reset(dials),

@@ -27,6 +27,12 @@ export const SHORTCUTS = {
     sculpt: ['c'],
     mirror: ['m'],
   },
+  motion: {
+    play: [' '],
+    record: ['r'],
+    in: ['i'],
+    out: ['o'],
+  },
   face: {
     left: ['ArrowLeft'],
     right: ['ArrowRight'],
@@ -113,6 +119,10 @@ export function addShortcuts(actions: GlobalActions): void {
     if (tool) actions.tool(tool)
     if (view) actions[view]()
   })
+  addEventListener('keydown', (event) => {
+    const name = shortcutOf('motion', event)
+    if (name && !event.defaultPrevented && actions.motion(name)) event.preventDefault()
+  })
 }
 
 /** Actions of the shortcuts that work everywhere. */
@@ -124,6 +134,8 @@ interface GlobalActions
   /** @param number number of the expression, from 1. */
   expression(number: number): void
   tool(tool: ShortcutName<'tools'>): void
+  /** @returns whether the page plays motion, so that it uses the shortcut. */
+  motion(name: ShortcutName<'motion'>): boolean
 }
 
 /** Returns pressed keys in the notation of `SHORTCUTS`. Includes Shift only with `Mod+` and with keys that type no character. */
@@ -142,6 +154,12 @@ function keyOf(event: KeyboardEvent): string {
 function isTyped(pressed: string, target: EventTarget | null): boolean {
   if (typeof HTMLInputElement === 'undefined') return false
   if (target instanceof HTMLTextAreaElement) return true
+  if (
+    pressed === ' ' &&
+    target instanceof Element &&
+    target.closest('button, summary, input:not([type=range]), label, a')
+  )
+    return true
   if (target instanceof HTMLSelectElement) return !pressed.startsWith('Mod+')
   return target instanceof HTMLInputElement && !['range', 'checkbox', 'radio', 'file'].includes(target.type)
 }

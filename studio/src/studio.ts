@@ -10,11 +10,14 @@ import { Hints } from './first/hints.ts'
 import { type Place, Resume } from './first/resume.ts'
 import { Reveal } from './first/reveal.ts'
 import { keepFocus } from './keep-focus.ts'
+import { FULL_TAKE } from './labels/live.ts'
 import { moreLabel, PAGE } from './labels/page.ts'
 import { nextTask } from './later.ts'
 import { FillOffer } from './lines/fill-offer.ts'
 import { Lines } from './lines/lines.ts'
 import { PageLink } from './link/page-link.ts'
+import { Live } from './live/live.ts'
+import { loadSource } from './live/load-source.ts'
 import { Loading } from './loading.ts'
 import { Loop } from './loop.ts'
 import { Messages } from './messages.ts'
@@ -23,6 +26,7 @@ import type { Page } from './page.ts'
 import { panelModel } from './panel-model.ts'
 import { bindTools } from './pointer/bind-tools.ts'
 import { FacePointer } from './pointer/face-pointer.ts'
+import { saveFile } from './save-file.ts'
 import { AreaEditor } from './session/area-editor.ts'
 import { FaceAreas } from './session/face-areas.ts'
 import { ImageImport } from './session/image-import.ts'
@@ -30,6 +34,7 @@ import { LayerEditor } from './session/layer-editor.ts'
 import { Opening } from './session/opening.ts'
 import { Saving } from './session/saving.ts'
 import { ShapeEditor } from './session/shape-editor.ts'
+import { TakeEditor } from './session/take-editor.ts'
 import { Workspace } from './session/workspace.ts'
 import { showShell } from './shell/shell.tsx'
 import { addShortcuts } from './shortcuts.ts'
@@ -141,6 +146,21 @@ export class Studio {
       layer: () => (this.#lines.editor.chosen.peek() ?? areas.chosen.peek())?.layer,
       editWrinkles: () => this.#workspace.editWrinkles(),
     })
+    const takes = new TakeEditor({
+      session,
+      player: this.#face.player,
+      viewer: this.#face.viewer,
+      ready: () => this.#workspace.editable(),
+      saveFile,
+      attempt,
+    })
+    const live = new Live({
+      pose: this.#face.live,
+      load: loadSource,
+      onTake: (motion) => takes.add(motion),
+      onFull: () => messages.note(FULL_TAKE),
+      onError: (error) => messages.error(error),
+    })
     this.#opening = new Opening({
       host: this.#host,
       face: this.#face,
@@ -148,6 +168,7 @@ export class Studio {
       messages,
       loading,
       askImages: (files) => images.ask(files),
+      addCapture: (capture) => takes.open(capture),
       onDropped: (avatar) => this.#reveal.await(avatar),
     })
     const tools = new ToolHost(page.viewport, () => this.#viewer?.stage.camera ?? null)
@@ -252,6 +273,8 @@ export class Studio {
         faces: this.#faces,
         dialogs,
         hints,
+        live,
+        takes,
       }),
     )
     keepFocus(document.body)
@@ -260,8 +283,9 @@ export class Studio {
       const hovered = this.#face.hovered.value
       this.#face.perform(this.#isEdited ? null : hovered)
     })
-    // Pause the clip while the face is edited.
+    // Pause the clip and the live pose while the face is edited.
     effect(() => {
+      this.#face.isEdited.value = this.#isEdited
       if (this.#isEdited) this.#face.player.pause()
     })
     effect(() => {
@@ -293,6 +317,13 @@ export class Studio {
       expression: (number) => {
         const expression = this.#viewer?.expressions[number - 1]
         if (expression) this.#face.play(expression.name)
+      },
+      motion: (name) => {
+        if (this.#tools.mode.peek() !== 'motion') return false
+        if (name === 'record') live.toggleRecording()
+        else if (name === 'play') this.#face.player.toggle()
+        else takes.trimAtTime(name)
+        return true
       },
       tool: (name) => {
         if (!session.document.peek() && name !== 'select') return

@@ -101,6 +101,7 @@ export function remake(document: StudioDocument, newest: StudioDocument): Studio
     ...(hasImages && { mapSize: document.mapSize }),
     ...(document.furrows && { furrows: document.furrows }),
     ...(document.shapes && { shapes: document.shapes }),
+    ...(document.takes && { takes: document.takes }),
     ...shapesOf(document, keptNames),
     areas: restoreLayers(areas, document, strokes),
     strokes,

@@ -2,6 +2,7 @@ import type { Combine, GrayImage, LayerKind, WrinkleDriver } from 'furrow'
 import type { AutoRegion, AutoSide, DenseRegion, Stroke, StrokesDocument } from 'furrow/author'
 import type { Furrows, ShapeCorrection } from 'furrow/internal'
 import type { Sculpted } from './sculpted.ts'
+import type { Take } from './takes.ts'
 
 /**
  * Wrinkles of one face, as immutable data. Operations return a new document that shares all unchanged objects with the old one. Views
@@ -31,6 +32,8 @@ export interface StudioDocument {
   /** The artist's corrections of blendshapes whose meaning was recognised wrongly. Absent if there are none. */
   readonly shapes?: readonly ShapeCorrection[]
   readonly auto?: AutoSettings
+  /** Recorded performances with unique names. Absent if there are none. */
+  readonly takes?: readonly Take[]
 }
 
 /** Kinds of maps that a layer can have as images. */

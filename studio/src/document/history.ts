@@ -85,19 +85,20 @@ export class History {
   }
 }
 
-/** Returns the size in bytes of the images and strokes that are in `before` but not in `after`. Estimates the size of strokes. */
+/** Returns the size in bytes of the images, strokes and takes that are in `before` but not in `after`. Estimates the size of strokes. */
 function lostBytes(before: StudioDocument, after: StudioDocument): number {
   const [old, next] = [partsOf(before), partsOf(after)]
   const isLost = (part: object) => !next.has(part)
   return [...old].reduce((sum, [part, bytes]) => sum + (isLost(part) ? bytes : 0), 0)
 }
 
-function partsOf({ areas, layers, strokes }: StudioDocument): Map<object, number> {
+function partsOf({ areas, layers, strokes, takes = [] }: StudioDocument): Map<object, number> {
   const images = layers.flatMap(({ maps }) => Object.values(maps))
   const tiles = layers.flatMap(({ sculpted }) => [...(sculpted?.tiles.values() ?? [])])
   return new Map<object, number>([
     ...areas.map(({ weights }) => [weights, weights.data.length] as const),
     ...images.map((image) => [image, image.bytes.length] as const),
+    ...takes.map(({ motion: { weights } }) => [weights, weights.byteLength] as const),
     ...tiles.map((tile) => [tile, tile.byteLength] as const),
     ...strokes.map((stroke) => [stroke, 64 * stroke.points.length] as const),
   ])

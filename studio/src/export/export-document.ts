@@ -11,6 +11,7 @@ import {
 } from 'furrow-files'
 import type { DocumentToPack } from '../document/packed-layers.ts'
 import { type FaceFiles, openFace } from '../files/face-files.ts'
+import { addTakes } from './add-takes.ts'
 import { setToPack } from './set-to-pack.ts'
 import { findingsOf } from './validate-face.ts'
 
@@ -22,6 +23,8 @@ export interface ExportOptions extends TargetNames {
   size?: number
   /** Width and height of the areas, texels. Default: `areaSize` of the document. */
   areaSize?: number
+  /** Whether to add the document's takes as animations. Default: true. */
+  takes?: boolean
 }
 
 /** File of a face with its wrinkles, and a report about the file. */
@@ -40,21 +43,22 @@ export type OnProgress = (done: number, total: number) => void
 const WHO = 'Studio'
 
 /**
- * Adds the wrinkles of a document to a face and validates the result. The bytes are the same as those that `furrow pack` makes from the
- * document's project folder.
+ * Adds the wrinkles of a document to a face and validates the result. Without takes, the bytes are the same as those that `furrow pack`
+ * makes from the document's project folder.
  *
  * @throws FurrowError if the face or the wrinkles are invalid.
  */
 export async function exportDocument(
   face: FaceFiles,
   source: DocumentToPack,
-  { ktx2 = PACK_DEFAULTS.ktx2, ...options }: ExportOptions = {},
+  { ktx2 = PACK_DEFAULTS.ktx2, takes = true, ...options }: ExportOptions = {},
   onProgress: OnProgress = () => {},
 ): Promise<ExportedFace> {
   const set = setToPack(source, WHO)
   const glb = await openFace(face, WHO)
   const packOptions = { ...PACK_DEFAULTS, ...options, ktx2 }
   const { target, warnings } = await packFace(glb, face.name, set, packOptions, WHO, onProgress)
+  if (takes) addTakes(glb, source.document.takes ?? [])
   const bytes = encodeGlb(glb)
   const packed = await openFace({ name: face.name, bytes }, WHO)
   const findings = await findingsOf(packed)

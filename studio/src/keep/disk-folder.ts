@@ -55,7 +55,7 @@ export async function requestWriteAccess(folder: FileSystemDirectoryHandle): Pro
 }
 
 /**
- * Writes a project's changed files to a folder, each one atomically. Deletes images that the studio wrote earlier and that the project no longer
+ * Writes a project's changed files to a folder, each one atomically. Deletes images and takes that the studio wrote earlier and that the project no longer
  * uses. Does not change other files.
  *
  * @returns written and deleted paths.
@@ -77,13 +77,13 @@ export async function writeFolder(
   }
 }
 
-/** Lists images that the studio wrote earlier. */
+/** Lists images and takes that the studio wrote earlier. */
 async function studioImages(folder: FileSystemDirectoryHandle): Promise<string[]> {
   try {
     const file = await (await folder.getFileHandle(STUDIO_FILE)).getFile()
     const { files = [] } = parseStudioFile(JSON.parse(await file.text())).studio
-    // Accept only images, so that an edited `studio.json` cannot make the studio delete other files.
-    return files.filter((path) => /^(layers|areas|under)\/.*\.\w+$/.test(path))
+    // Accept only images and takes, so that an edited `studio.json` cannot make the studio delete other files.
+    return files.filter((path) => /^(layers|areas|under|takes)\/.*\.\w+$/.test(path))
   } catch {
     return []
   }

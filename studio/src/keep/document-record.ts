@@ -12,14 +12,15 @@ export interface DocumentRecord {
   document: StoredDocument
 }
 
-/** Weights of an area, an encoded map, or a tile of sculpted heights. */
-export type ImageRecord = GrayImage | ImageFile | SculptedTile
+/** Weights of an area, an encoded map, a tile of sculpted heights, or the weights of a take. */
+export type ImageRecord = GrayImage | ImageFile | SculptedTile | Float32Array
 
-export function imagesOf({ layers, areas }: StudioDocument): Set<ImageRecord> {
+export function imagesOf({ layers, areas, takes = [] }: StudioDocument): Set<ImageRecord> {
   return new Set([
     ...layers.flatMap(({ maps }) => Object.values(maps)),
     ...layers.flatMap(({ sculpted }) => [...(sculpted?.tiles.values() ?? [])]),
     ...areas.map(({ weights }) => weights),
+    ...takes.map(({ motion }) => motion.weights),
   ])
 }
 
@@ -31,7 +32,11 @@ export function recordOf(document: StudioDocument, numberOf: (image: ImageRecord
     ...(sculpted && { sculpted: recordOfSculpted(sculpted, numberOf) }),
   }))
   const areas = document.areas.map((area) => ({ ...area, weights: numberOf(area.weights) }))
-  return { version: VERSION, document: { ...document, layers, areas } }
+  const { takes, ...others } = document
+  const stored = takes?.map(({ motion: { names, weights }, ...take }) => {
+    return { ...take, names: [...names], weights: numberOf(weights) }
+  })
+  return { version: VERSION, document: { ...others, layers, areas, ...(stored && { takes: stored }) } }
 }
 
 function recordOfSculpted(
@@ -73,7 +78,11 @@ export function documentOf(
       ...area,
       weights: weightsOf(images.get(area.weights), area.name, document.areaSize),
     }))
-    return { ...document, layers, areas }
+    const { takes, ...others } = document
+    const read = takes?.map(({ names, weights, ...take }) => {
+      return { ...take, motion: { names, weights: motionOf(images.get(weights), take.name, names.length) } }
+    })
+    return { ...others, layers, areas, ...(read && { takes: read }) }
   } catch (error) {
     throw damagedError(name, error instanceof Missing ? error.message : reasonOf(error), error)
   }
@@ -111,6 +120,12 @@ function weightsOf(image: ImageRecord | undefined, area: string, side: number): 
 function tileOf(image: ImageRecord | undefined, layer: string): SculptedTile {
   if (image instanceof Int16Array && image.length === TILE_TEXELS) return image
   throw new Missing(`its sculpted heights of ${layer} are missing`)
+}
+
+function motionOf(weights: ImageRecord | undefined, take: string, shapes: number): Float32Array {
+  if (weights instanceof Float32Array && weights.length % shapes === 0 && weights.length >= 2 * shapes)
+    return weights
+  throw new Missing(`its take ${take} is missing`)
 }
 
 function damagedError(name: string, reason: string, cause?: unknown): FurrowError {

@@ -12,14 +12,16 @@ import {
   FACE_FOLDER,
   STUDIO_FILE,
   type StudioFile,
+  TAKES,
   UNDER,
 } from './studio-file.ts'
+import { takeFile } from './take-file.ts'
 
 const EXTENSIONS: Record<string, string> = { 'image/jpeg': 'jpg', 'image/webp': 'webp', 'image/avif': 'avif' }
 
 /**
  * Makes the files of a project folder for `furrow pack`: `wrinkles.json`, `layers/NAME/*.png` (sculpted heights are in `sculpted.png`),
- * `areas/NAME.png` (with the convention `paper`), `strokes.json` and `face.glb`. Data that these files cannot contain is in `studio.json`. A face with several files is in the folder `face`,
+ * `areas/NAME.png` (with the convention `paper`), `strokes.json` and `face.glb`. Data that these files cannot contain is in `studio.json` and `takes/NAME.json`. A face with several files is in the folder `face`,
  * for `furrow pack --face`.
  *
  * @param face files of the avatar: the glTF or VRM file, followed by the files that it references.
@@ -34,6 +36,12 @@ export function folderFiles(source: DocumentToPack, face: readonly AvatarFile[])
     content: encodePortablePng(paintedArea(weights)),
   }))
   const images = [...layers.images, ...areaImages]
+  const { takes = [] } = document
+  const takeNames = fileNamesOf(takes.map(({ name }) => name))
+  const takeFiles = takes.map((take, i) => ({
+    path: `${TAKES}/${takeNames[i]}.json`,
+    content: takeFile(take),
+  }))
   const strokes = strokesDocument(document)
   const set: WrinkleSetDocument = {
     version: 1,
@@ -61,12 +69,14 @@ export function folderFiles(source: DocumentToPack, face: readonly AvatarFile[])
     ...automaticParts(document),
     layers: layers.drawn,
     ...(face.length > 0 && { face: { path: faceFiles[0].path, name: face[0].path } }),
-    files: images.map(({ path }) => path).sort(),
+    ...(takeFiles.length > 0 && { takes: takeFiles.map(({ path }) => path) }),
+    files: [...images, ...takeFiles].map(({ path }) => path).sort(),
   }
   // Write the JSON files last, so that they never refer to images that are not written yet.
   return [
     ...faceFiles,
     ...images,
+    ...takeFiles,
     ...(strokes ? [{ path: 'strokes.json', content: jsonFile(strokes) }] : []),
     { path: WRINKLES_FILE, content: jsonFile(set) },
     { path: STUDIO_FILE, content: jsonFile(studio) },

@@ -179,11 +179,11 @@ function writeImages(table: IDBObjectStore, id: string, stored: Numbers, images:
 function unshareBuffer(image: ImageRecord): ImageRecord {
   const bytes = bytesOf(image)
   if (bytes.length === bytes.buffer.byteLength) return image
-  if (image instanceof Int16Array) return image.slice()
+  if (ArrayBuffer.isView(image)) return image.slice()
   return 'bytes' in image ? { ...image, bytes: bytes.slice() } : { ...image, data: bytes.slice() }
 }
 
 function bytesOf(image: ImageRecord): Uint8Array {
-  if (image instanceof Int16Array) return new Uint8Array(image.buffer, image.byteOffset, image.byteLength)
+  if (ArrayBuffer.isView(image)) return new Uint8Array(image.buffer, image.byteOffset, image.byteLength)
   return 'bytes' in image ? image.bytes : image.data
 }

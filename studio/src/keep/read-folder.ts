@@ -19,8 +19,9 @@ import {
   type StudioDocument,
   type StudioLayer,
 } from '../document/document.ts'
-import { findNamed } from '../document/names.ts'
+import { findNamed, freeName } from '../document/names.ts'
 import { type Sculpted, sculptedOf, sculptedSize } from '../document/sculpted.ts'
+import type { Take } from '../document/takes.ts'
 import { bytesOf } from '../files/dropped-files.ts'
 import { Folder } from '../files/folder.ts'
 import type { AvatarFile } from '../files/folder-files.ts'
@@ -31,6 +32,7 @@ import {
   STUDIO_FILE,
   type StudioFile,
 } from './studio-file.ts'
+import { parseTakeFile } from './take-file.ts'
 
 const WHO = 'Studio'
 
@@ -58,7 +60,7 @@ export interface ReadFolder {
  *
  * @param files all files, with paths relative to the folder.
  * @param name folder name, for errors.
- * @throws FurrowError for the first missing or invalid file, except `studio.json`: its errors become a note.
+ * @throws FurrowError for the first missing or invalid file, except `studio.json` and takes: their errors become notes.
  */
 export async function readFolder(
   files: readonly AvatarFile[],
@@ -67,6 +69,7 @@ export async function readFolder(
 ): Promise<ReadFolder> {
   const folder = new Folder(files, name)
   const { studio, note } = await readStudioFile(folder)
+  const { takes, notes } = await readTakes(folder, studio)
   const set = setOf(await folder.json(WRINKLES_FILE), folder)
   const strokes = await strokesOf(folder, set)
   const { areaSize = DEFAULT_AREA_SIZE } = set
@@ -95,8 +98,9 @@ export async function readFolder(
     drivers: set.drivers ?? [],
     ...(shapes.length > 0 && { shapes }),
     ...(auto && { auto }),
+    ...(takes.length > 0 && { takes }),
   }
-  return { document, face: faceOf(files, studio), notes: note === undefined ? [] : [note] }
+  return { document, face: faceOf(files, studio), notes: [...(note === undefined ? [] : [note]), ...notes] }
 }
 
 /** Reads `studio.json`. If its JSON is invalid, returns no data and a note. */
@@ -106,6 +110,24 @@ async function readStudioFile(folder: Folder): Promise<ReadStudioFile> {
   } catch (error) {
     return { studio: { version: 1 }, note: (error as Error).message }
   }
+}
+
+/** Reads the takes that `studio.json` lists. Skips takes that are missing or invalid, and returns a note about each. */
+async function readTakes(
+  folder: Folder,
+  { takes: paths = [] }: StudioFile,
+): Promise<{ takes: Take[]; notes: string[] }> {
+  const takes: Take[] = []
+  const notes: string[] = []
+  for (const path of paths) {
+    try {
+      const take = parseTakeFile(await folder.json(path), path)
+      takes.push({ ...take, name: freeName(takes, take.name) })
+    } catch (error) {
+      notes.push((error as Error).message)
+    }
+  }
+  return { takes, notes }
 }
 
 function setOf(json: unknown, { paths, name }: Folder): WrinkleSetDocument {

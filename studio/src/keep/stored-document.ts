@@ -20,12 +20,15 @@ import {
 } from '../document/document.ts'
 import { tileCount } from '../document/sculpted.ts'
 import { strokesDocument } from '../document/stroke-document.ts'
+import { MAX_TAKES, type Take } from '../document/takes.ts'
 import { parseAuto } from './studio-file.ts'
+import { parseRange, parseShapeNames } from './take-file.ts'
 
-/** Document in the database, with numbers in place of images. */
-export type StoredDocument = Omit<StudioDocument, 'layers' | 'areas'> & {
+/** Document in the database, with numbers in place of images and of weights of takes. */
+export type StoredDocument = Omit<StudioDocument, 'layers' | 'areas' | 'takes'> & {
   layers: StoredLayer[]
   areas: StoredArea[]
+  takes?: StoredTake[]
 }
 
 type StoredLayer = Omit<StudioLayer, 'maps' | 'sculpted'> & {
@@ -38,6 +41,7 @@ export interface StoredSculpted {
   size: number
   tiles: [index: number, number: number][]
 }
+type StoredTake = Omit<Take, 'motion'> & { names: string[]; weights: number }
 type StoredArea = Omit<StudioArea, 'weights'> & { weights: number }
 
 const WHO = 'Studio'
@@ -51,7 +55,7 @@ const WHO = 'Studio'
 export function parseStored(json: unknown): StoredDocument {
   const reader = new JsonReader(WHO)
   const fields = reader.object(json, 'the document')
-  const { mesh, material, strokeAreas, furrows, shapes, auto } = fields
+  const { mesh, material, strokeAreas, furrows, shapes, auto, takes } = fields
   const layers = reader
     .array(fields.layers, 'layers', 1, MAX_LAYERS)
     .map((layer, i) => parseLayer(reader, layer, `layers[${i}]`))
@@ -75,6 +79,11 @@ export function parseStored(json: unknown): StoredDocument {
     ...(furrows !== undefined && { furrows: furrows as StudioDocument['furrows'] }),
     ...(shapes !== undefined && { shapes: parseCorrections(shapes, WHO) }),
     ...(auto !== undefined && { auto: parseAuto(reader, auto, 'auto') }),
+    ...(takes !== undefined && {
+      takes: reader
+        .array(takes, 'takes', 1, MAX_TAKES)
+        .map((take, i) => parseTake(reader, take, `takes[${i}]`)),
+    }),
   }
   checkStrokes(reader, document as unknown as StudioDocument, layerNames)
   return document as StoredDocument
@@ -152,6 +161,16 @@ function parseArea(reader: JsonReader, value: unknown, path: string): StoredArea
     activation: reader.number(activation, `${path}.activation`, 0, 1, ''),
     weights: imageNumber(reader, weights, `${path}.weights`),
     ...(isAutomatic === true && { isAutomatic }),
+  }
+}
+
+function parseTake(reader: JsonReader, value: unknown, path: string): StoredTake {
+  const { name, names, weights, range } = reader.object(value, path)
+  return {
+    name: reader.name(name, `${path}.name`),
+    names: parseShapeNames(reader, names, `${path}.names`),
+    weights: imageNumber(reader, weights, `${path}.weights`),
+    ...(range !== undefined && { range: parseRange(reader, range, `${path}.range`) }),
   }
 }
 

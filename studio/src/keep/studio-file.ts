@@ -17,6 +17,7 @@ import {
   type MapName,
   type StudioDocument,
 } from '../document/document.ts'
+import { MAX_TAKES } from '../document/takes.ts'
 
 /**
  * Contents of `studio.json`: project data for which the files of `furrow pack` have no fields. A folder made by hand has no
@@ -37,7 +38,9 @@ export interface StudioFile {
   /** Layers with maps drawn from strokes. The keys are layer names. */
   layers?: Record<string, DrawnLayer>
   face?: FaceFile
-  /** Paths of the images that the studio wrote. The studio deletes no other files. */
+  /** Paths of the takes, in their order. */
+  takes?: string[]
+  /** Paths of the images and takes that the studio wrote. The studio deletes no other files. */
   files?: string[]
 }
 
@@ -59,6 +62,8 @@ export interface FaceFile {
 export const STUDIO_FILE = 'studio.json'
 /** Folder for images over which strokes are drawn. */
 export const UNDER = 'under'
+/** Folder for recorded performances. */
+export const TAKES = 'takes'
 /** Folder for a face that has several files. */
 export const FACE_FOLDER = 'face'
 
@@ -137,6 +142,8 @@ const FIELDS: { [Name in Exclude<keyof StudioFile, 'version'>]-?: ParseField<Stu
     const text = (name: keyof FaceFile) => reader.text(face[name], `${path}.${name}`, MAX_PATH)
     return { path: text('path'), name: text('name') }
   },
+  takes: (reader, value, path) =>
+    listOf(reader, value, path, MAX_TAKES, (item, at) => reader.text(item, at, MAX_PATH)),
   files: (reader, value, path) =>
     listOf(reader, value, path, MAX_FILES, (item, at) => reader.text(item, at, MAX_PATH)),
 }

@@ -1,8 +1,5 @@
-/** Player of animations and facial captures. */
+/** Player of animations and takes, below the face. */
 export const ANIMATION = {
-  none: 'This avatar has no animations. Open or drop a recording of the app Live Link Face.',
-  openCapture: 'Open a recording…',
-  clip: 'Clip',
   play: 'Play',
   pause: 'Pause',
   stop: 'Stop',
@@ -10,6 +7,11 @@ export const ANIMATION = {
   loop: 'Loop',
   speed: 'Speed',
   time: 'Time (s)',
+  in: 'Start here',
+  inHint: 'Begin the take at this time (I)',
+  out: 'End here',
+  outHint: 'End the take at this time (O)',
+  whole: 'Whole take',
 } as const
 
 /** Returns the label of a clip without a name: `Clip 2`. */
@@ -20,4 +22,9 @@ export function clipLabel(number: number): string {
 /** Returns the label of a speed: `0.5×`. */
 export function speedLabel(factor: string): string {
   return `${factor}×`
+}
+
+/** Returns the time and the duration, seconds: `1.25 / 8.00 s`. */
+export function timeLabel(time: number, duration: number): string {
+  return `${time.toFixed(2)} / ${duration.toFixed(2)} s`
 }

@@ -43,6 +43,8 @@ export const EXPORT = {
   exported: 'Exported file',
   ktx2: 'Compress for the GPU (KTX 2)',
   ktx2Hint: 'Maps stay compressed on the GPU',
+  takes: 'Include takes as animations',
+  takesHint: 'Any viewer of the file can then play them',
   hint: 'Export saves the avatar with its wrinkles, and this card then shows its size.',
   running: 'Packing and checking',
   copyCode: 'Copy the code',

@@ -6,6 +6,7 @@ export const SCOPES: Readonly<Record<Scope, string>> = {
   everywhere: 'Everywhere',
   stage: 'Stage',
   tools: 'Tools',
+  motion: 'In the mode Motion',
   face: 'On the face',
   painting: 'While painting',
   polygon: 'While a polygon is drawn',
@@ -33,6 +34,12 @@ export const SHORTCUT_LABELS: { readonly [scope in Scope]: Readonly<Record<Short
     frame: 'Look at the selection',
   },
   tools: { ...TOOLS, mirror: `${TOOLS.mirror}: change both halves of the face` },
+  motion: {
+    play: 'Play or pause',
+    record: 'Record a take, or finish it (while a source is live)',
+    in: 'Begin the take at this time',
+    out: 'End the take at this time',
+  },
   face: {
     left: 'Orbit to the left',
     right: 'Orbit to the right',
@@ -93,6 +100,7 @@ export const SHORTCUT_LABELS: { readonly [scope in Scope]: Readonly<Record<Short
 
 /** Names of keys on the keyboard, by `KeyboardEvent.key`. */
 export const KEYS = {
+  ' ': 'Space',
   Escape: 'Esc',
   ArrowLeft: '←',
   ArrowRight: '→',

@@ -7,6 +7,7 @@ import type { Hints } from '../first/hints.ts'
 import type { ProjectEntry } from '../keep/project-store.ts'
 import type { FillOffer } from '../lines/fill-offer.ts'
 import type { LineEditor } from '../lines/line-editor.ts'
+import type { Live } from '../live/live.ts'
 import type { AreaEditor } from '../session/area-editor.ts'
 import type { AutoRun } from '../session/automatic.ts'
 import type { ExportState } from '../session/exporting.ts'
@@ -15,6 +16,7 @@ import type { KeepState } from '../session/keeper.ts'
 import type { LayerEditor } from '../session/layer-editor.ts'
 import type { Session } from '../session/session.ts'
 import type { ShapeEditor } from '../session/shape-editor.ts'
+import type { TakeEditor } from '../session/take-editor.ts'
 import type { Painting } from '../tools/painting.ts'
 import type { Sculpting } from '../tools/sculpting.ts'
 import type { ToolChoice } from '../tools/tool-choice.ts'
@@ -63,6 +65,8 @@ export interface PanelModel {
   readonly meshes: MeshVisibility
   readonly pictures: PosePictures
   readonly player: ClipPlayer
+  readonly live: Live
+  readonly takes: TakeEditor
   readonly auto: ReadonlySignal<AutoSettings>
   /** Progress of making automatic wrinkles, or null. */
   readonly autoRun: ReadonlySignal<AutoRun | null>
@@ -89,6 +93,11 @@ export interface PanelActions {
   setMode(mode: WrinkleMode): void
   setLook(look: Look): void
   play(expression: string): void
+  /** Starts the chosen source of live face scores. */
+  startLive(): void
+  /** Saves the calibration of the current sender as a file. */
+  saveCalibration(): void
+  loadCalibration(file: File): void
   /** Ends the preview of an area or blendshape. Then returns the weights of all blendshapes. The keys are their names. */
   pose(): ReadonlyMap<string, number>
   input(dial: Dial, value: number): void

@@ -1,4 +1,5 @@
 import { FurrowError } from 'furrow'
+import type { Capture } from '../capture/live-link-face.ts'
 import { displayName } from '../display-name.ts'
 import { applyPreset } from '../document/preset.ts'
 import type { DroppedFile } from '../files/dropped-files.ts'
@@ -21,6 +22,8 @@ export interface OpeningParts {
   loading: Loading
   /** Asks what dropped images are, and adds them. */
   askImages(images: readonly File[]): Promise<void>
+  /** Adds a facial capture to the takes. */
+  addCapture(capture: Capture): Promise<void>
   /** Called before an avatar that the user dropped is shown. */
   onDropped(avatar: OpenedAvatar): void
 }
@@ -93,13 +96,12 @@ export class Opening {
   }
 
   async #addCapture(tables: readonly DroppedFile[]): Promise<void> {
-    const { host, face, messages } = this.#parts
+    const { host, messages, addCapture } = this.#parts
     const { readCapture } = await import('../capture/read-capture.ts')
     const capture = await readCapture(tables.map(({ file }) => file))
-    const { captureClip } = await import('../capture/capture-clip.ts')
     if (!host.viewer) throw noAvatarError(capture.name)
-    face.player.add(captureClip(capture, host.viewer.avatar.root))
-    messages.note(`Added ${capture.name} to Animation`)
+    await addCapture(capture)
+    messages.note(`Added ${capture.name} to the takes`)
   }
 
   async #applyPreset(dropped: DroppedFile): Promise<void> {

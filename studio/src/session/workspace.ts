@@ -164,6 +164,13 @@ export class Workspace {
     this.session.open({ ...this.#target, ...document })
   }
 
+  /** Resolves when the face has a document. Makes one from the wrinkles of the avatar's file if necessary. Rejects with a FurrowError if there is none. */
+  async editable(): Promise<void> {
+    await this.opened()
+    await this.editWrinkles()
+    if (!this.session.document.peek()) throw noDocumentError()
+  }
+
   /** Cancels automatic wrinkles and hides their preview. */
   cancelAuto(): void {
     this.#endAuto()
@@ -310,6 +317,14 @@ function isSameWork(a: OpenedAvatar, b: OpenedAvatar): boolean {
   return (
     a.root === b.root && a.skin === b.skin && a.document === b.document && skin.wrinkles === other.wrinkles
   )
+}
+
+function noDocumentError(): FurrowError {
+  return new FurrowError({
+    who: 'Studio',
+    problem: 'this avatar has no project to which the take could belong',
+    remedy: 'choose another skin, or open another avatar',
+  })
 }
 
 function noWrinklesError(reason: string): FurrowError {

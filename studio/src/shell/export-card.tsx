@@ -25,16 +25,26 @@ const { scene } = await loader.loadAsync('${name}')`
 export function ExportCard({ model, document }: { model: PanelModel; document: StudioDocument }) {
   const { exporting, actions } = model
   const isCompressed = useSignal(false)
+  const hasTakes = useSignal(true)
   const state = exporting.value
   return (
     <div class="export">
-      <button type="button" class="main" onClick={() => actions.exportFace({ ktx2: isCompressed.value })}>
+      <button
+        type="button"
+        class="main"
+        onClick={() => actions.exportFace({ ktx2: isCompressed.value, takes: hasTakes.value })}
+      >
         {EXPORT.export}
       </button>
       <Popover label={EXPORT.exported} class="main" placement="bottom-end" button={<Icon name="down" />}>
         <Check value={isCompressed} title={EXPORT.ktx2Hint}>
           {EXPORT.ktx2}
         </Check>
+        {document.takes && (
+          <Check value={hasTakes} title={EXPORT.takesHint}>
+            {EXPORT.takes}
+          </Check>
+        )}
         <RegionCost document={document} />
         {!state && <p class="hint">{EXPORT.hint}</p>}
         {state?.kind === 'done' && (

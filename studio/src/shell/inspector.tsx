@@ -4,7 +4,6 @@ import { splitSide } from '../document/sides.ts'
 import { regionLabel } from '../labels/names.ts'
 import { INSPECTOR, PLACES } from '../labels/page.ts'
 import { FILE } from '../labels/project.ts'
-import { Animation } from '../panels/animation.tsx'
 import { ChosenArea } from '../panels/areas/chosen-area.tsx'
 import { RegionSize } from '../panels/areas/region-size.tsx'
 import { AutomaticWrinkles } from '../panels/automatic.tsx'
@@ -13,6 +12,7 @@ import { Drivers } from '../panels/drivers/drivers.tsx'
 import { Layers } from '../panels/layers.tsx'
 import { Lines } from '../panels/lines.tsx'
 import type { PanelModel } from '../panels/model.ts'
+import { Motion } from '../panels/motion/motion.tsx'
 import { BrushSettings } from '../panels/painting/painting.tsx'
 import { SculptSettings } from '../panels/painting/sculpt.tsx'
 import { Shapes } from '../panels/shapes/shapes.tsx'
@@ -31,10 +31,10 @@ const tab = signal<Tab>('look')
 
 /** Panel at the right with the settings of the selection: the whole face, a region, or a line. */
 export function Inspector({ model }: { model: PanelModel }) {
-  const { tools, player, session, revision } = model
+  const { tools, session, revision } = model
   revision.value
   if (!model.viewer.value) return null
-  if (tools.mode.value === 'motion') return <Animation player={player} onOpen={model.actions.openFiles} />
+  if (tools.mode.value === 'motion') return <Motion model={model} />
   const selected = selectedIn(model)
   if (!session.document.value) return <FromFile model={model} />
   return (

@@ -3,6 +3,7 @@ import { createPortal } from 'preact/compat'
 import '../ui/change-events.ts'
 import { AutoProgress } from '../panels/auto-progress.tsx'
 import type { PanelModel } from '../panels/model.ts'
+import { Timeline } from '../panels/motion/timeline.tsx'
 import { BottomBar } from './bottom-bar.tsx'
 import { Cards } from './cards.tsx'
 import { Corner } from './corner.tsx'
@@ -22,6 +23,7 @@ const PARTS = {
   tools: Toolbar,
   drawer: Drawer,
   inspector: Inspector,
+  timeline: Timeline,
   poses: BottomBar,
   cards: Cards,
   corner: Corner,

@@ -6,6 +6,7 @@ import { MeshVisibility } from './mesh-visibility.ts'
 import type { Orbit } from './orbit.ts'
 import { ClipPlayer } from './pose/clip-player.ts'
 import type { Dial } from './pose/dials.ts'
+import { LivePose } from './pose/live-pose.ts'
 import { Performer } from './pose/performer.ts'
 import { PosePictures } from './pose/pose-pictures.ts'
 import { Staging } from './staging.ts'
@@ -32,6 +33,9 @@ export class ShownFace {
   readonly meshes: MeshVisibility
   readonly pictures: PosePictures
   readonly player: ClipPlayer
+  readonly live: LivePose
+  /** Whether the user edits the face. It then keeps its pose. */
+  readonly isEdited = signal(false)
   readonly #parts: ShownFaceParts
   readonly #performer: Performer
   readonly #frame = signal(0)
@@ -52,14 +56,20 @@ export class ShownFace {
       viewer,
       live: parts.live,
       revision: this.#revision,
-      isMoving: () => this.isMoving || this.#performer.isPerforming,
+      isMoving: () => this.isMoving || this.#performer.isPerforming || this.live.isOn.peek(),
     })
-    this.player = new ClipPlayer({
+    const begin = () => {
+      this.#finishMotion()
+      this.#expression.value = null
+    }
+    this.player = new ClipPlayer({ viewer, begin, onPose })
+    this.live = new LivePose({
       viewer,
       begin: () => {
-        this.#finishMotion()
-        this.#expression.value = null
+        this.player.stop()
+        begin()
       },
+      isHeld: () => this.player.isShown.peek() || this.isEdited.peek(),
       onPose,
     })
   }
@@ -89,6 +99,7 @@ export class ShownFace {
     this.viewer.value = viewer
     if (!isOther) return
     this.#expression.value = null
+    this.live.stop()
     this.player.open(root, animations)
   }
 
@@ -123,23 +134,23 @@ export class ShownFace {
   play(name: string): void {
     this.change((viewer) => {
       this.#performer.settle()
-      this.player.stop()
+      this.#stopMotion()
       viewer.play(name, reducedMotion.matches ? 0 : EXPRESSION_TIME)
       this.#expression.value = name
       this.#frame.value++
     })
   }
 
-  /** Sets a slider. Sliders of blendshapes stop a clip. */
+  /** Sets a slider. Sliders of blendshapes stop a clip, and the live pose. */
   input(dial: Dial, value: number): void {
     if (this.#live?.targets.includes(dial)) this.set(() => dial.write(value))
     else this.#set(() => dial.write(value))
   }
 
-  /** Changes the pose and stops the clip. */
+  /** Changes the pose, and stops the clip and the live pose. */
   set(write: () => void): void {
     this.#set(() => {
-      this.player.stop()
+      this.#stopMotion()
       write()
     })
   }
@@ -168,7 +179,8 @@ export class ShownFace {
 
   /** Previews the area or recognised blendshape of a control. Null, the slider of a blendshape or a playing clip ends the preview. */
   perform(hovered: Hovered | null): void {
-    const shown = hovered?.kind === 'target' || this.player.isPlaying.peek() ? null : hovered
+    const isMoved = this.player.isPlaying.peek() || (this.live.isOn.peek() && !this.player.isShown.peek())
+    const shown = hovered?.kind === 'target' || isMoved ? null : hovered
     untracked(() => this.#performer.request(shown))
   }
 
@@ -191,6 +203,11 @@ export class ShownFace {
     else if (!hovered.isOnFace && painted === null && viewer.performanceOf(hovered.name)) viewer.highlight([])
     else viewer.highlight([hovered.name])
     this.#parts.wake()
+  }
+
+  #stopMotion(): void {
+    this.player.stop()
+    this.live.stop()
   }
 
   /** Finishes previews and transitions. A playing clip continues. */

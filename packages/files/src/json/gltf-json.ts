@@ -56,6 +56,7 @@ export interface GltfJson {
   meshes?: GltfMesh[]
   nodes?: { name?: string; mesh?: number; children?: number[] }[]
   scenes?: { nodes?: number[] }[]
+  animations?: object[]
   extensions?: Extensions
 }
 

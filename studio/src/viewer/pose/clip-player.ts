@@ -1,7 +1,15 @@
-import { type ReadonlySignal, type Signal, signal } from '@preact/signals'
+import { batch, computed, type ReadonlySignal, type Signal, signal } from '@preact/signals'
 import { type AnimationAction, type AnimationClip, AnimationMixer, type Object3D } from 'three'
 import type { Viewer } from '../viewer.ts'
 import { splitWeights } from './split-weights.ts'
+
+/** Animation that the player lists. */
+export interface Clip {
+  readonly name: string
+  readonly animation: AnimationClip
+  /** Part that is played: in and out points, seconds. */
+  readonly range: readonly [start: number, end: number]
+}
 
 export interface ClipPlayerParts {
   viewer: ReadonlySignal<Pick<Viewer, 'move'> | null>
@@ -11,11 +19,12 @@ export interface ClipPlayerParts {
   onPose(): void
 }
 
-/** Plays key frames on the face: animations from the avatar's file, and facial captures. */
+/** Plays key frames on the face: animations of the avatar's file, and takes. */
 export class ClipPlayer {
   readonly #parts: ClipPlayerParts
-  readonly #clips = signal<readonly AnimationClip[]>([])
-  readonly #clip = signal<AnimationClip | null>(null)
+  readonly #own = signal<readonly Clip[]>([])
+  readonly #takes = signal<readonly Clip[]>([])
+  readonly #chosen = signal<AnimationClip | null>(null)
   readonly #time = signal(0)
   readonly #isPlaying = signal(false)
   readonly #isShown = signal(false)
@@ -30,13 +39,20 @@ export class ClipPlayer {
     this.#parts = parts
   }
 
-  get clips(): ReadonlySignal<readonly AnimationClip[]> {
-    return this.#clips
+  /** Animations of the avatar's file. */
+  get own(): ReadonlySignal<readonly Clip[]> {
+    return this.#own
   }
 
-  get clip(): ReadonlySignal<AnimationClip | null> {
-    return this.#clip
+  get takes(): ReadonlySignal<readonly Clip[]> {
+    return this.#takes
   }
+
+  /** Chosen clip: by default the first of the file or, if it has none, the first take. */
+  readonly clip: ReadonlySignal<Clip | null> = computed(() => {
+    const clips = [...this.#own.value, ...this.#takes.value]
+    return clips.find(({ animation }) => animation === this.#chosen.value) ?? clips[0] ?? null
+  })
 
   /** Clip time, seconds. */
   get time(): ReadonlySignal<number> {
@@ -52,37 +68,50 @@ export class ClipPlayer {
     return this.#isShown
   }
 
-  /** Opens an avatar with the clips of its file. */
+  /** Opens an avatar with the animations of its file. */
   open(root: Object3D, animations: readonly AnimationClip[]): void {
     this.#action = null
-    this.#isShown.value = this.#isPlaying.value = false
     this.#mixer = new AnimationMixer(root)
-    this.#clips.value = animations.filter(({ tracks }) => tracks.length > 0).map(splitWeights)
-    this.#clip.value = this.#clips.value[0] ?? null
-    this.#time.value = 0
+    batch(() => {
+      this.#isShown.value = this.#isPlaying.value = false
+      this.#own.value = animations.filter(({ tracks }) => tracks.length > 0).map(clipOf)
+      this.#chosen.value = null
+      this.#time.value = this.#range[0]
+    })
   }
 
-  /** Adds and chooses a clip. Replaces a clip of the same name. */
-  add(clip: AnimationClip): void {
-    this.#clips.value = [...this.#clips.value.filter(({ name }) => name !== clip.name), clip]
-    this.choose(clip)
+  /** Replaces the takes. If the chosen take is gone, stops it. */
+  setTakes(takes: readonly Clip[]): void {
+    const before = this.clip.peek()
+    const isGone =
+      this.#takes.peek().includes(before!) && takes.every((each) => each.animation !== before!.animation)
+    if (isGone) this.stop()
+    this.#takes.value = takes
+    if (isGone || !before) this.#time.value = this.#range[0]
   }
 
   /** Chooses a clip. Starts it if another clip was playing. */
-  choose(clip: AnimationClip): void {
+  choose({ animation }: Clip): void {
     const isPlaying = this.#isPlaying.peek()
     this.stop()
-    this.#clip.value = clip
+    this.#chosen.value = animation
+    this.#time.value = this.#range[0]
     if (isPlaying) this.play()
   }
 
-  /** Plays the clip from its current time, or from the start if it has ended. */
+  /** Plays the clip from its current time. Starts at its in point if the time is outside the in and out points. */
   play(): void {
-    const clip = this.#clip.peek()
-    if (!clip) return
-    this.#seek(this.#time.peek() >= clip.duration ? 0 : this.#time.peek())
+    if (!this.clip.peek()) return
+    const [start, end] = this.#range
+    const time = this.#time.peek()
+    this.#seek(time < start || time >= end ? start : time)
     this.#isPlaying.value = this.#action !== null
     this.#parts.onPose()
+  }
+
+  toggle(): void {
+    if (this.#isPlaying.peek()) this.pause()
+    else this.play()
   }
 
   pause(): void {
@@ -110,7 +139,7 @@ export class ClipPlayer {
   /** Stops the clip and restores the pose that the face had before. */
   stop(): void {
     this.#isPlaying.value = false
-    this.#time.value = 0
+    this.#time.value = this.#range[0]
     if (!this.#action) return
     this.#action = null
     this.#isShown.value = false
@@ -120,22 +149,31 @@ export class ClipPlayer {
 
   /** @param delta seconds since the last frame. */
   advance(delta: number): void {
-    const clip = this.#clip.peek()
-    if (!clip || !this.#isPlaying.peek()) return
+    if (!this.#isPlaying.peek()) return
+    const [start, end] = this.#range
     const time = this.#time.peek() + delta * this.speed.peek()
-    if (time < clip.duration) this.#seek(time)
-    else if (this.isLooped.peek()) this.#seek(clip.duration > 0 ? time % clip.duration : 0)
+    if (time < end) this.#seek(time)
+    else if (this.isLooped.peek()) this.#seek(end > start ? start + ((time - start) % (end - start)) : start)
     else {
       this.pause()
-      this.#seek(clip.duration)
+      this.#seek(end)
     }
   }
 
+  get #range(): readonly [number, number] {
+    return this.clip.peek()?.range ?? [0, 0]
+  }
+
   #begin(): void {
-    const [clip, mixer] = [this.#clip.peek(), this.#mixer]
+    const [clip, mixer] = [this.clip.peek(), this.#mixer]
     if (!clip || !mixer || !this.#parts.viewer.peek()) return
     this.#parts.begin()
-    this.#action = mixer.clipAction(clip).reset().play()
+    this.#action = mixer.clipAction(clip.animation).reset().play()
     this.#isShown.value = true
   }
+}
+
+function clipOf(animation: AnimationClip): Clip {
+  const split = splitWeights(animation)
+  return { name: animation.name, animation: split, range: [0, split.duration] }
 }

@@ -1,0 +1,25 @@
+import { FurrowError, findTargets } from 'furrow'
+import { motionOf, type Take } from '../document/takes.ts'
+import type { Capture } from './live-link-face.ts'
+
+/**
+ * Converts a facial capture to a take.
+ *
+ * @param targets names of the face's blendshapes.
+ * @throws FurrowError if the face has none of the capture's blendshapes, or the capture is too long.
+ */
+export function takeOfCapture({ name, times, weights }: Capture, targets: readonly string[]): Take {
+  const isKnown = [...weights.keys()].some((blendshape) => findTargets(blendshape, targets).length > 0)
+  if (!isKnown) throw missingBlendshapesError(name)
+  return { name, motion: motionOf(times, weights) }
+}
+
+function missingBlendshapesError(name: string): FurrowError {
+  return new FurrowError({
+    code: 'unknown-name',
+    who: 'Studio',
+    problem: `the face has none of the blendshapes in ${name}`,
+    limit: 'names of ARKit, such as browInnerUp',
+    remedy: 'name its blendshapes so, or open another avatar',
+  })
+}

@@ -1,0 +1,59 @@
+import { useId } from 'preact/hooks'
+import type { Take } from '../../document/takes.ts'
+import { nameOfTakeLabel, TAKES } from '../../labels/live.ts'
+import { PLACES } from '../../labels/page.ts'
+import type { TakeEditor } from '../../session/take-editor.ts'
+import { FileButton } from '../controls/file-button.tsx'
+import { Section } from '../controls/section.tsx'
+import type { PanelModel } from '../model.ts'
+import { ClipList } from './clip-list.tsx'
+
+/** Takes of the project. */
+export function TakesSection({ model: { player, takes, actions } }: { model: PanelModel }) {
+  const chosen = takes.chosen.value
+  return (
+    <Section title={PLACES.takes}>
+      {player.takes.value.length === 0 && <p class="hint">{TAKES.none}</p>}
+      <ClipList label={PLACES.takes} clips={player.takes.value} player={player} />
+      {chosen && <ChosenTake take={chosen} editor={takes} />}
+      <div class="work">
+        <FileButton accept=".csv" isMultiple onChoose={actions.openFiles}>
+          {TAKES.open}
+        </FileButton>
+      </div>
+    </Section>
+  )
+}
+
+function ChosenTake({ take, editor }: { take: Take; editor: TakeEditor }) {
+  const { name } = take
+  const id = useId()
+  return (
+    <div class="settings chosen-take">
+      <div class="setting">
+        <label for={id}>{TAKES.name}</label>
+        <input
+          id={id}
+          type="text"
+          aria-label={nameOfTakeLabel(name)}
+          autocomplete="off"
+          spellcheck={false}
+          value={name}
+          onChange={({ currentTarget }) => {
+            editor.rename(name, currentTarget.value.trim())
+            // Show the old name, in case the new name is invalid. A valid name is shown when the document has changed.
+            currentTarget.value = name
+          }}
+        />
+      </div>
+      <div class="work">
+        <button type="button" title={TAKES.saveHint} onClick={() => editor.save(take)}>
+          {TAKES.save}
+        </button>
+        <button type="button" onClick={() => editor.remove(name)}>
+          {TAKES.remove}
+        </button>
+      </div>
+    </div>
+  )
+}

@@ -1,0 +1,118 @@
+import { rangeOf } from '../../document/takes.ts'
+import { ANIMATION, speedLabel, timeLabel } from '../../labels/animation.ts'
+import type { ClipPlayer } from '../../viewer/pose/clip-player.ts'
+import { Check } from '../controls/check.tsx'
+import { Choice } from '../controls/choice.tsx'
+import type { PanelModel } from '../model.ts'
+import { Curves } from './curves.tsx'
+
+const SPEEDS = ['0.25', '0.5', '1', '2'].map((value) => ({ value, label: speedLabel(value) }))
+
+/** Timeline of the chosen take or animation below the face, in the mode Motion. */
+export function Timeline({ model }: { model: PanelModel }) {
+  const { tools, player, takes, live, viewer } = model
+  const { clip, isPlaying, isShown, isLooped, speed } = player
+  if (tools.mode.value !== 'motion' || !viewer.value || !clip.value) return null
+  const take = takes.chosen.value
+  const { duration } = clip.value.animation
+  const range = take && rangeOf(take)
+  return (
+    <div class="track">
+      <div class="lane">
+        {take && <Curves motion={take.motion} />}
+        {range && <Trimmed range={range} duration={duration} />}
+        <Time player={player} duration={duration} />
+      </div>
+      <div class="transport">
+        <button
+          type="button"
+          aria-keyshortcuts="Space"
+          disabled={live.recorded.value !== null}
+          onClick={() => player.toggle()}
+        >
+          {isPlaying.value ? ANIMATION.pause : ANIMATION.play}
+        </button>
+        <button
+          type="button"
+          disabled={!isShown.value}
+          title={ANIMATION.stopHint}
+          onClick={() => player.stop()}
+        >
+          {ANIMATION.stop}
+        </button>
+        <TimeText player={player} duration={duration} />
+        {take && (
+          <>
+            <button
+              type="button"
+              title={ANIMATION.inHint}
+              aria-keyshortcuts="i"
+              onClick={() => takes.trimAtTime('in')}
+            >
+              {ANIMATION.in}
+            </button>
+            <button
+              type="button"
+              title={ANIMATION.outHint}
+              aria-keyshortcuts="o"
+              onClick={() => takes.trimAtTime('out')}
+            >
+              {ANIMATION.out}
+            </button>
+            {take.range && (
+              <button type="button" onClick={() => takes.trim(take.name, [0, duration])}>
+                {ANIMATION.whole}
+              </button>
+            )}
+          </>
+        )}
+        <Check value={isLooped}>{ANIMATION.loop}</Check>
+        <Choice
+          label={ANIMATION.speed}
+          options={SPEEDS}
+          value={`${speed.value}`}
+          onChange={(value) => {
+            speed.value = Number(value)
+          }}
+        />
+      </div>
+    </div>
+  )
+}
+
+/** Shades the parts before the in point and after the out point. */
+function Trimmed({ range: [start, end], duration }: { range: readonly [number, number]; duration: number }) {
+  return (
+    <>
+      <span class="trimmed" style={{ left: 0, width: `${(100 * start) / duration}%` }} />
+      <span class="trimmed" style={{ right: 0, width: `${100 - (100 * end) / duration}%` }} />
+    </>
+  )
+}
+
+interface TimeProps {
+  player: ClipPlayer
+  duration: number
+}
+
+/** Slider for the time in the clip. It is a component, so that each frame renders only this part. */
+function Time({ player, duration }: TimeProps) {
+  const time = player.time.value
+  return (
+    <input
+      type="range"
+      aria-label={ANIMATION.time}
+      aria-valuetext={timeLabel(time, duration)}
+      min={0}
+      max={duration || 1}
+      step={0.01}
+      value={time}
+      style={{ '--value': time / (duration || 1) }}
+      onInput={({ currentTarget }) => player.scrub(currentTarget.valueAsNumber)}
+    />
+  )
+}
+
+function TimeText({ player, duration }: TimeProps) {
+  return <span class="time">{timeLabel(player.time.value, duration)}</span>
+}
