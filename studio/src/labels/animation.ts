@@ -7,11 +7,10 @@ export const ANIMATION = {
   loop: 'Loop',
   speed: 'Speed',
   time: 'Time (s)',
-  in: 'Start here',
+  in: 'In',
   inHint: 'Begin the take at this time (I)',
-  out: 'End here',
+  out: 'Out',
   outHint: 'End the take at this time (O)',
-  whole: 'Whole take',
 } as const
 
 /** Returns the label of a clip without a name: `Clip 2`. */

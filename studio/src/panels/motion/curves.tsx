@@ -1,4 +1,5 @@
 import { useMemo } from 'preact/hooks'
+import { splitSide } from '../../document/sides.ts'
 import { framesOf, type TakeMotion, weightsOf } from '../../document/takes.ts'
 import { curvesLabel } from '../../labels/live.ts'
 import { blendshapeLabel } from '../../labels/names.ts'
@@ -39,7 +40,12 @@ function strongestCurves(motion: TakeMotion): Curve[] {
     const [least, most] = weights.reduce(([low, high], w) => [Math.min(low, w), Math.max(high, w)], [1, 0])
     return { name, weights, extent: most - least }
   })
-  const strongest = all.sort((a, b) => b.extent - a.extent).slice(0, SHAPES)
+  // Both sides of an expression usually move alike, so the curve of the stronger side suffices.
+  const sides = new Map(
+    all.sort((a, b) => a.extent - b.extent).map((each) => [splitSide(each.name)[0], each]),
+  )
+  // The strongest one is last, so that it is drawn over the others.
+  const strongest = [...sides.values()].sort((a, b) => a.extent - b.extent).slice(-SHAPES)
   return strongest.map(({ name, weights }) => ({
     label: blendshapeLabel(name),
     points: pointsOf(weights, framesOf(motion)),

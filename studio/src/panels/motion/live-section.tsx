@@ -65,7 +65,7 @@ export function LiveSection({ model }: { model: PanelModel }) {
         <Flag live={live} name="mirror" label={LIVE.mirror} title={LIVE.mirrorHint} />
         <Flag live={live} name="isSmooth" label={LIVE.smooth} />
         {!isOn && source === 'webcam' && (
-          <details class="more">
+          <details class="live-settings">
             <summary>{LIVE.settings}</summary>
             <div class="settings">
               <TextSetting live={live} name="library" label={LIVE.library} />
@@ -98,12 +98,7 @@ function Status({ live: { status, sender, calibrating, recorded } }: { live: Liv
 function RecordButton({ live }: { live: Live }) {
   const isRecording = live.recorded.value !== null
   return (
-    <button
-      type="button"
-      class="record"
-      aria-keyshortcuts="r"
-      onClick={() => live.toggleRecording()}
-    >
+    <button type="button" class="record" aria-keyshortcuts="r" onClick={() => live.toggleRecording()}>
       {isRecording ? LIVE.finish : LIVE.record}
     </button>
   )

@@ -1,5 +1,5 @@
 import { useId } from 'preact/hooks'
-import type { Take } from '../../document/takes.ts'
+import { durationOf, type Take } from '../../document/takes.ts'
 import { nameOfTakeLabel, TAKES } from '../../labels/live.ts'
 import { PLACES } from '../../labels/page.ts'
 import type { TakeEditor } from '../../session/take-editor.ts'
@@ -50,6 +50,15 @@ function ChosenTake({ take, editor }: { take: Take; editor: TakeEditor }) {
         <button type="button" title={TAKES.saveHint} onClick={() => editor.save(take)}>
           {TAKES.save}
         </button>
+        {take.range && (
+          <button
+            type="button"
+            title={TAKES.wholeHint}
+            onClick={() => editor.trim(name, [0, durationOf(take.motion)])}
+          >
+            {TAKES.whole}
+          </button>
+        )}
         <button type="button" onClick={() => editor.remove(name)}>
           {TAKES.remove}
         </button>

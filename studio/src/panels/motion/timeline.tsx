@@ -2,11 +2,10 @@ import { rangeOf } from '../../document/takes.ts'
 import { ANIMATION, speedLabel, timeLabel } from '../../labels/animation.ts'
 import type { ClipPlayer } from '../../viewer/pose/clip-player.ts'
 import { Check } from '../controls/check.tsx'
-import { Choice } from '../controls/choice.tsx'
 import type { PanelModel } from '../model.ts'
 import { Curves } from './curves.tsx'
 
-const SPEEDS = ['0.25', '0.5', '1', '2'].map((value) => ({ value, label: speedLabel(value) }))
+const SPEEDS = ['0.25', '0.5', '1', '2']
 
 /** Timeline of the chosen take or animation below the face, in the mode Motion. */
 export function Timeline({ model }: { model: PanelModel }) {
@@ -15,14 +14,15 @@ export function Timeline({ model }: { model: PanelModel }) {
   if (tools.mode.value !== 'motion' || !viewer.value || !clip.value) return null
   const take = takes.chosen.value
   const { duration } = clip.value.animation
-  const range = take && rangeOf(take)
   return (
     <div class="track">
-      <div class="lane">
-        {take && <Curves motion={take.motion} />}
-        {range && <Trimmed range={range} duration={duration} />}
-        <Time player={player} duration={duration} />
-      </div>
+      {take && (
+        <div class="lane">
+          <Curves motion={take.motion} />
+          <Trimmed range={rangeOf(take)} duration={duration} />
+        </div>
+      )}
+      <Time player={player} duration={duration} />
       <div class="transport">
         <button
           type="button"
@@ -40,7 +40,6 @@ export function Timeline({ model }: { model: PanelModel }) {
         >
           {ANIMATION.stop}
         </button>
-        <TimeText player={player} duration={duration} />
         {take && (
           <>
             <button
@@ -59,22 +58,23 @@ export function Timeline({ model }: { model: PanelModel }) {
             >
               {ANIMATION.out}
             </button>
-            {take.range && (
-              <button type="button" onClick={() => takes.trim(take.name, [0, duration])}>
-                {ANIMATION.whole}
-              </button>
-            )}
           </>
         )}
         <Check value={isLooped}>{ANIMATION.loop}</Check>
-        <Choice
-          label={ANIMATION.speed}
-          options={SPEEDS}
+        <select
+          aria-label={ANIMATION.speed}
+          title={ANIMATION.speed}
           value={`${speed.value}`}
-          onChange={(value) => {
-            speed.value = Number(value)
+          onChange={({ currentTarget }) => {
+            speed.value = Number(currentTarget.value)
           }}
-        />
+        >
+          {SPEEDS.map((value) => (
+            <option key={value} value={value}>
+              {speedLabel(value)}
+            </option>
+          ))}
+        </select>
       </div>
     </div>
   )
@@ -95,24 +95,29 @@ interface TimeProps {
   duration: number
 }
 
+interface TimeProps {
+  player: ClipPlayer
+  duration: number
+}
+
 /** Slider for the time in the clip. It is a component, so that each frame renders only this part. */
 function Time({ player, duration }: TimeProps) {
   const time = player.time.value
+  const text = timeLabel(time, duration)
   return (
-    <input
-      type="range"
-      aria-label={ANIMATION.time}
-      aria-valuetext={timeLabel(time, duration)}
-      min={0}
-      max={duration || 1}
-      step={0.01}
-      value={time}
-      style={{ '--value': time / (duration || 1) }}
-      onInput={({ currentTarget }) => player.scrub(currentTarget.valueAsNumber)}
-    />
+    <>
+      <input
+        type="range"
+        aria-label={ANIMATION.time}
+        aria-valuetext={text}
+        min={0}
+        max={duration || 1}
+        step={0.01}
+        value={time}
+        style={{ '--value': time / (duration || 1) }}
+        onInput={({ currentTarget }) => player.scrub(currentTarget.valueAsNumber)}
+      />
+      <span class="time">{text}</span>
+    </>
   )
-}
-
-function TimeText({ player, duration }: TimeProps) {
-  return <span class="time">{timeLabel(player.time.value, duration)}</span>
 }
