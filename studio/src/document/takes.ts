@@ -10,6 +10,8 @@ export const MAX_TAKES = 256
 export const MAX_TAKE_SHAPES = 1024
 /** Weights are rounded to a multiple of 1 / `STEPS`, so that text files restore them exactly. */
 const STEPS = 1e5
+/** Distance from a sample, as a fraction of the interval, that counts as 0. Captures have 32-bit times, which are inexact. */
+const SNAP = 0.01
 
 /** Weights of blendshapes over time. Never changed in place. */
 export interface TakeMotion {
@@ -93,7 +95,8 @@ function sampled(
     const time = Math.min(start + frame / TAKE_RATE, end)
     while (next < times.length - 1 && times[next] < time) next++
     const span = times[next] - times[next - 1]
-    const t = Math.min(1, Math.max(0, (time - times[next - 1]) / span))
+    const share = Math.min(1, Math.max(0, (time - times[next - 1]) / span))
+    const t = Math.abs(share - Math.round(share)) < SNAP ? Math.round(share) : share
     for (const [i, [, weights]] of columns.entries()) {
       const weight = weights[next - 1] * (1 - t) + weights[next] * t
       result[i * frames + frame] = Math.round(Math.min(1, Math.max(0, weight)) * STEPS) / STEPS

@@ -95,7 +95,7 @@ export const TAKES = {
   name: 'Name',
   save: 'Save as CSV',
   saveHint: 'In the layout of the app Live Link Face, which other programs read',
-  whole: 'Undo trimming',
+  whole: 'Use whole take',
   wholeHint: 'Play and export the whole take again',
   remove: 'Delete take',
 } as const

@@ -46,6 +46,13 @@ describe('the record of a document', () => {
     [['furrows'], 'deep'],
     [['drivers'], [{ type: 'morph' }]],
     [['shapes'], [{ target: 'key_1', shape: 'browUpward' }]],
+    [['takes'], {}],
+    [['takes', 0, 'names'], []],
+    [['takes', 0, 'weights'], -1],
+    [
+      ['takes', 1, 'range'],
+      [1, 0],
+    ],
     [['auto'], 5],
     [['auto', 'seed'], -1],
     [['scale'], '1000'],

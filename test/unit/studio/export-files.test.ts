@@ -1,9 +1,11 @@
 import { readFileSync } from 'node:fs'
+import { WebIO } from '@gltf-transform/core'
 import { describe, expect, it } from 'vitest'
 import type { StudioDocument } from '../../../studio/src/document/document.ts'
 import { setSculpted } from '../../../studio/src/document/layers.ts'
 import type { DocumentToPack, StrokeMaps } from '../../../studio/src/document/packed-layers.ts'
 import { sculptedOf } from '../../../studio/src/document/sculpted.ts'
+import { motionOf } from '../../../studio/src/document/takes.ts'
 import { exportDocument } from '../../../studio/src/export/export-document.ts'
 import { readDocument, readProject } from '../../../studio/src/export/read-document.ts'
 import { readFace } from '../../../studio/src/export/read-face.ts'
@@ -161,5 +163,48 @@ describe('a project', () => {
     expect((await findingsOf(await openFace({ name: 'face.glb', bytes }, 'Studio')))[0]).toMatchObject({
       code: 'NO_WRINKLES',
     })
+  })
+})
+
+describe('takes', () => {
+  const take = {
+    name: 'Raise',
+    motion: motionOf([0, 1], [['browInnerUp', [0, 1]]]),
+    range: [0.5, 1],
+  } as const
+
+  it('become animations of the file, trimmed', async () => {
+    const { files, face } = await projectAt('takes')
+    const { document } = await readProject(opened(files), 'takes')
+    const source = { document: { ...document, takes: [take] }, drawn: new Map() }
+    const { bytes, findings } = await exportDocument(face, source)
+    expect(findings.filter(({ severity }) => severity === 'error')).toEqual([])
+    const [animation, ...others] = (await new WebIO().readBinary(bytes)).getRoot().listAnimations()
+    expect([animation.getName(), others]).toEqual(['Raise', []])
+    const channels = animation.listChannels()
+    expect(channels.length).toBeGreaterThan(0)
+    for (const channel of channels) {
+      expect(channel.getTargetPath()).toBe('weights')
+      const sampler = channel.getSampler()!
+      const mesh = channel.getTargetNode()!.getMesh()!
+      const names = (mesh.getExtras() as { targetNames: string[] }).targetNames
+      const [times, weights] = [sampler.getInput()!.getArray()!, sampler.getOutput()!.getArray()!]
+      expect([times.length, times[0], times[30]]).toEqual([31, 0, 0.5])
+      const middle = weights.slice(15 * names.length, 16 * names.length)
+      expect([...middle]).toEqual(names.map((name) => (name === 'browInnerUp' ? 0.75 : 0)))
+    }
+  })
+
+  it('are left out if the user wants', async () => {
+    const { files, face } = await projectAt('no-takes')
+    const { document } = await readProject(opened(files), 'no-takes')
+    const drawn = new Map()
+    const without = await exportDocument(face, { document, drawn })
+    const left = await exportDocument(
+      face,
+      { document: { ...document, takes: [take] }, drawn },
+      { takes: false },
+    )
+    expect(left.bytes).toEqual(without.bytes)
   })
 })

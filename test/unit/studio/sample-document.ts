@@ -93,6 +93,14 @@ export function sampleDocument(): StudioDocument {
       densities: { nose: 1.5 },
       shapes: [{ mesh: 'Head', target: 'key_12', shape: 'browInnerUp' }],
     },
+    takes: [
+      { name: 'Smile', motion: { names: ['jawOpen'], weights: Float32Array.of(0, 0.12345, 1) } },
+      {
+        name: 'Frown/1',
+        motion: { names: ['a', 'b'], weights: Float32Array.of(0, 1, 1, 0) },
+        range: [0, 1 / 60],
+      },
+    ],
   }
 }
 

@@ -39,6 +39,10 @@ beforeEach(() => {
   player.open(face, [nod()])
 })
 
+const takeOf = (name: string, path: string, range: [number, number] = [0, 1]) => {
+  return { name, animation: new AnimationClip('', 1, [new NumberKeyframeTrack(path, [0, 1], [0, 1])]), range }
+}
+
 const pose = () =>
   [...mesh.morphTargetInfluences!, joint.quaternion.x].map((value) => Number(value.toFixed(4)))
 const REST = [0, 0, 0]
@@ -109,11 +113,12 @@ it('another clip also starts from the pose before the first, and keeps playing',
   player.play()
   player.advance(1)
   const path = `${mesh.uuid}.morphTargetInfluences[jawOpen]`
-  player.add(new AnimationClip('talk', 1, [new NumberKeyframeTrack(path, [0, 1], [0, 1])]))
+  player.setTakes([takeOf('talk', path)])
+  player.choose(player.takes.value[0])
   expect(pose()).toEqual(REST)
   player.advance(0.5)
   expect(pose()).toEqual([0, 0.5, 0])
-  expect(player.clips.value.map(({ name }) => name)).toEqual(['nod', 'talk'])
+  expect(player.clip.value?.name).toBe('talk')
 })
 
 it("a blendshape that is added while a clip plays, such as a muscle's, is not moved", () => {
@@ -155,4 +160,44 @@ it('a face without clips has nothing to play', () => {
   player.advance(1)
   player.stop()
   expect({ begun, isPlaying: player.isPlaying.value }).toEqual({ begun: 0, isPlaying: false })
+})
+
+it('a take plays between its in and out points, and its whole length can be looked at', () => {
+  const path = `${mesh.uuid}.morphTargetInfluences[jawOpen]`
+  player.setTakes([takeOf('talk', path, [0.25, 0.75])])
+  player.choose(player.takes.value[0])
+  expect(player.time.value).toBe(0.25)
+  player.play()
+  player.advance(0.625)
+  expect(player.time.value).toBeCloseTo(0.375)
+  player.isLooped.value = false
+  player.advance(2)
+  expect({ time: player.time.value, isPlaying: player.isPlaying.value }).toEqual({
+    time: 0.75,
+    isPlaying: false,
+  })
+  player.scrub(1)
+  expect(pose()).toEqual([0, 1, 0])
+  player.play()
+  expect(player.time.value).toBe(0.25)
+})
+
+it('a take that is renamed or trimmed keeps playing, and one that is deleted stops', () => {
+  const path = `${mesh.uuid}.morphTargetInfluences[jawOpen]`
+  const take = takeOf('talk', path)
+  player.setTakes([take])
+  player.choose(take)
+  player.play()
+  player.advance(0.5)
+  player.setTakes([{ ...take, name: 'speak', range: [0, 0.75] }])
+  expect({ name: player.clip.value?.name, isPlaying: player.isPlaying.value }).toEqual({
+    name: 'speak',
+    isPlaying: true,
+  })
+  player.setTakes([])
+  expect({ name: player.clip.value?.name, isShown: player.isShown.value }).toEqual({
+    name: 'nod',
+    isShown: false,
+  })
+  expect(pose()).toEqual(REST)
 })

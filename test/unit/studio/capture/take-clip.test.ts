@@ -1,7 +1,8 @@
 import { AnimationMixer, Group, type Mesh } from 'three'
 import { expect, it } from 'vitest'
-import { captureClip } from '../../../../studio/src/capture/capture-clip.ts'
 import type { Capture } from '../../../../studio/src/capture/live-link-face.ts'
+import { takeClip } from '../../../../studio/src/capture/take-clip.ts'
+import { takeOfCapture } from '../../../../studio/src/capture/take-of-capture.ts'
 import { blendMesh } from '../../../blend-mesh.ts'
 
 const CAPTURE: Capture = {
@@ -17,10 +18,11 @@ const CAPTURE: Capture = {
 /** Returns a face with one mesh for each list of blendshapes. */
 const faceOf = (...meshes: string[][]) => new Group().add(...meshes.map((names) => blendMesh(...names)))
 
-/** Plays the clip up to a time, and returns the weights of each mesh. */
+/** Plays the take up to a time, and returns the weights of each mesh. */
 function weightsAt(face: Group, time: number): number[][] {
   const mixer = new AnimationMixer(face)
-  mixer.clipAction(captureClip(CAPTURE, face)).play()
+  const targets = face.children.flatMap((mesh) => Object.keys((mesh as Mesh).morphTargetDictionary!))
+  mixer.clipAction(takeClip(takeOfCapture(CAPTURE, targets).motion, face)).play()
   mixer.setTime(time)
   return face.children.map((mesh) => (mesh as Mesh).morphTargetInfluences!)
 }
@@ -29,11 +31,11 @@ it.each([
   ['of ARKit', ['browInnerUp', 'jawOpen']],
   ['of the app', ['BrowInnerUp', 'JawOpen']],
   ['with prefixes', ['blendShape1.browInnerUp', 'BS_jawOpen']],
-])('a capture moves blendshapes with names %s', (_, names) => {
+])('a take moves blendshapes with names %s', (_, names) => {
   expect(weightsAt(faceOf(names), 1)).toEqual([[0.5, 0.25]])
 })
 
-it('a capture moves each mesh, and both halves of a blendshape that the face splits into left and right', () => {
+it('a take moves each mesh, and both halves of a blendshape that the face splits into left and right', () => {
   const face = faceOf(['jawOpen', 'smile'], ['browInnerUp_L', 'browInnerUp_R', 'jawOpen'])
   expect(weightsAt(face, 1)).toEqual([
     [0.25, 0],
@@ -41,8 +43,14 @@ it('a capture moves each mesh, and both halves of a blendshape that the face spl
   ])
 })
 
+it('blendshapes that a take lacks are 0 while it plays', () => {
+  const face = faceOf(['jawOpen', 'mouthPucker'])
+  ;(face.children[0] as Mesh).morphTargetInfluences![1] = 0.8
+  expect(weightsAt(face, 1)).toEqual([[0.25, 0]])
+})
+
 it('a capture is refused if the face has none of its blendshapes', () => {
-  expect(() => captureClip(CAPTURE, faceOf(['Fcl_ALL_Joy']))).toThrow(
+  expect(() => takeOfCapture(CAPTURE, ['Fcl_ALL_Joy'])).toThrow(
     'Studio: the face has none of the blendshapes in take, allowed: names of ARKit, such as browInnerUp; name its',
   )
 })
