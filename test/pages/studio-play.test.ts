@@ -1,4 +1,4 @@
-/** Tests playing animations of a file and iPhone captures in the studio. */
+/** Tests playing animations of a file and takes of an iPhone in the studio. */
 
 import { readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
@@ -71,12 +71,15 @@ function animate(file: Uint8Array, rising: readonly string[]): Uint8Array {
 const time = () => slider(page, 'Time (s)')
 const forehead = () => slider(page, 'foreheadLeft')
 const button = (name: string) => page.getByRole('button', { name, exact: true })
+/** Returns the names in a list of animations or takes. */
+const clips = (list: string) =>
+  page.getByRole('list', { name: list, exact: true }).locator('button span').allTextContents()
 const expression = (name: string) => page.locator('#expressions button', { hasText: name })
 
 let rest: Buffer
-let raised: Buffer
 
 test('nothing plays by itself, and dragging to a time wrinkles the forehead', async () => {
+  await page.getByRole('group', { name: 'Mode' }).getByText('Motion').click()
   await expectValue(time(), 0)
   expect(await button('Play').isVisible()).toBe(true)
   expect(await button('Stop').isDisabled()).toBe(true)
@@ -84,7 +87,7 @@ test('nothing plays by itself, and dragging to a time wrinkles the forehead', as
   rest = await shootStage(page)
   await time().press('End')
   await expectValue(forehead(), 1)
-  raised = await shootStage(page)
+  const raised = await shootStage(page)
   expect(await meanPngDifference(rest, raised)).toBeGreaterThan(0.5)
   // The divider shows the same moving brows with and without wrinkles, so the difference is only the wrinkles.
   const divider = page.getByRole('slider', { name: /^Divider/ })
@@ -120,12 +123,12 @@ test('plays to the end and pauses by keyboard, and an expression stops it', asyn
 
 test('a Live Link Face take plays with the same controls', async () => {
   await dropPaths(page, [join(studio.folder, 'take.csv')])
-  await page.getByText('Added take to Animation').waitFor()
-  expect(await page.locator('#clip option').allTextContents()).toEqual(['raise', 'take'])
+  await page.getByText('Added take to the takes').waitFor()
+  expect(await clips('Animations of the file')).toEqual(['raise'])
+  expect(await clips('Takes')).toEqual(['take'])
   await time().press('End')
   await expectValue(time(), 1)
   await expectValue(forehead(), 1)
-  expect(await meanPngDifference(raised, await shootStage(page))).toBeLessThan(0.02)
   await showSliders(page)
   await page.locator('#targets summary', { hasText: 'Brows' }).click()
   await slider(page, 'browInnerUp').fill('0.5')
@@ -140,5 +143,5 @@ test('another table is refused in one line, and the face stays', async () => {
     .getByText('table.csv cannot be played: its first row has no Timecode')
     .waitFor()
   await page.getByRole('button', { name: 'Dismiss' }).click()
-  expect(await page.locator('#clip option').count()).toBe(2)
+  expect(await clips('Takes')).toEqual(['take'])
 })
