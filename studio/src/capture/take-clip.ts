@@ -1,5 +1,5 @@
 import { AnimationClip, type Mesh, NumberKeyframeTrack, type Object3D } from 'three'
-import { durationOf, framesOf, TAKE_RATE, type TakeMotion, weightsOf } from '../document/takes.ts'
+import { durationOf, framesOf, TAKE_RATE, type TakeMotion, weightsOf } from '../document/take.ts'
 import { columnsOf } from './take-columns.ts'
 
 /**

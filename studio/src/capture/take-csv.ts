@@ -1,5 +1,5 @@
 import { canonicalTargetName } from 'furrow/internal'
-import { framesOf, TAKE_RATE, type Take, trimmed, weightsOf } from '../document/takes.ts'
+import { framesOf, TAKE_RATE, type Take, trimmed, weightsOf } from '../document/take.ts'
 
 const bothSides = (name: string) => [`${name}Left`, `${name}Right`]
 const ofEye = (side: string) =>
@@ -25,8 +25,8 @@ const ROTATIONS = ['Head', 'LeftEye', 'RightEye'].flatMap((part) =>
 )
 
 /**
- * Writes a take as the CSV of the app Live Link Face, at 60 frames per second: all 52 blendshapes of ARKit, then rotations, which are 0, and
- * then the other blendshapes of the take. Writes only key frames between the in and out points.
+ * Writes a take as the CSV of the app Live Link Face, at 60 frames per second. The columns are all 52 blendshapes of ARKit, rotations, which
+ * are 0, and the other blendshapes of the take. Writes only key frames between the in and out points.
  *
  * @returns lines with their line ends.
  */

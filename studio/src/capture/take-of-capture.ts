@@ -1,5 +1,5 @@
 import { FurrowError, findTargets } from 'furrow'
-import { motionOf, type Take } from '../document/takes.ts'
+import { motionOf, type Take } from '../document/take.ts'
 import type { Capture } from './live-link-face.ts'
 
 /**

@@ -2,7 +2,7 @@ import type { Combine, GrayImage, LayerKind, WrinkleDriver } from 'furrow'
 import type { AutoRegion, AutoSide, DenseRegion, Stroke, StrokesDocument } from 'furrow/author'
 import type { Furrows, ShapeCorrection } from 'furrow/internal'
 import type { Sculpted } from './sculpted.ts'
-import type { Take } from './takes.ts'
+import type { Take } from './take.ts'
 
 /**
  * Wrinkles of one face, as immutable data. Operations return a new document that shares all unchanged objects with the old one. Views

@@ -8,7 +8,7 @@ import {
   type TakeMotion,
   trimmed,
   weightsOf,
-} from '../document/takes.ts'
+} from '../document/take.ts'
 
 const FLOAT = 5126
 

@@ -21,7 +21,7 @@ import {
 } from '../document/document.ts'
 import { findNamed, freeName } from '../document/names.ts'
 import { type Sculpted, sculptedOf, sculptedSize } from '../document/sculpted.ts'
-import type { Take } from '../document/takes.ts'
+import type { Take } from '../document/take.ts'
 import { bytesOf } from '../files/dropped-files.ts'
 import { Folder } from '../files/folder.ts'
 import type { AvatarFile } from '../files/folder-files.ts'

@@ -20,7 +20,7 @@ import {
 } from '../document/document.ts'
 import { tileCount } from '../document/sculpted.ts'
 import { strokesDocument } from '../document/stroke-document.ts'
-import { MAX_TAKES, type Take } from '../document/takes.ts'
+import { MAX_TAKES, type Take } from '../document/take.ts'
 import { parseAuto } from './studio-file.ts'
 import { parseRange, parseShapeNames } from './take-file.ts'
 

@@ -17,7 +17,7 @@ import {
   type MapName,
   type StudioDocument,
 } from '../document/document.ts'
-import { MAX_TAKES } from '../document/takes.ts'
+import { MAX_TAKES } from '../document/take.ts'
 
 /**
  * Contents of `studio.json`: project data for which the files of `furrow pack` have no fields. A folder made by hand has no

@@ -1,6 +1,6 @@
 import { JsonReader, MAX_NAME_LENGTH } from 'furrow/internal'
 import { jsonFile } from 'furrow-files'
-import { framesOf, MAX_FRAMES, MAX_TAKE_SHAPES, TAKE_RATE, type Take, weightsOf } from '../document/takes.ts'
+import { framesOf, MAX_FRAMES, MAX_TAKE_SHAPES, TAKE_RATE, type Take, weightsOf } from '../document/take.ts'
 
 /** Makes the file of a take in a project folder: names of blendshapes, and the weights of each in one list. */
 export function takeFile({ name, motion, range }: Take): Uint8Array {

@@ -1,6 +1,6 @@
 import { effect, type ReadonlySignal, signal } from '@preact/signals'
 import type { FaceCalibration, FrameScores, RecordingKind } from 'furrow/three'
-import type { TakeMotion } from '../document/takes.ts'
+import type { TakeMotion } from '../document/take.ts'
 import type { LivePose } from '../viewer/pose/live-pose.ts'
 import { storeCalibration, storedCalibration } from './calibrations.ts'
 import { type LiveSettings, readSettings, type SourceName, storeSettings } from './settings.ts'

@@ -1,5 +1,5 @@
 import { FurrowError } from 'furrow'
-import { motionOf, TAKE_RATE, type TakeMotion } from '../document/takes.ts'
+import { motionOf, TAKE_RATE, type TakeMotion } from '../document/take.ts'
 
 /** Maximum duration of a recorded take, seconds. */
 export const MAX_SECONDS = 600

@@ -4,15 +4,8 @@ import type { Capture } from '../capture/live-link-face.ts'
 import { takeClip } from '../capture/take-clip.ts'
 import { takeCsv } from '../capture/take-csv.ts'
 import { takeOfCapture } from '../capture/take-of-capture.ts'
-import {
-  addTake,
-  rangeOf,
-  removeTake,
-  renameTake,
-  type Take,
-  type TakeMotion,
-  trimTake,
-} from '../document/takes.ts'
+import { rangeOf, type Take, type TakeMotion } from '../document/take.ts'
+import { addTake, removeTake, renameTake, trimTake } from '../document/takes.ts'
 import type { Clip, ClipPlayer } from '../viewer/pose/clip-player.ts'
 import type { Viewer } from '../viewer/viewer.ts'
 import type { Session } from './session.ts'

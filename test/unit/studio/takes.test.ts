@@ -1,17 +1,14 @@
 import { describe, expect, it } from 'vitest'
 import type { StudioDocument } from '../../../studio/src/document/document.ts'
 import {
-  addTake,
   durationOf,
   MAX_TAKES,
   motionOf,
   rangeOf,
-  removeTake,
-  renameTake,
   trimmed,
-  trimTake,
   weightsOf,
-} from '../../../studio/src/document/takes.ts'
+} from '../../../studio/src/document/take.ts'
+import { addTake, removeTake, renameTake, trimTake } from '../../../studio/src/document/takes.ts'
 import { parseTakeFile, takeFile } from '../../../studio/src/keep/take-file.ts'
 import { frozen, sampleDocument } from './sample-document.ts'
 

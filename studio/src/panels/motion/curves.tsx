@@ -1,6 +1,6 @@
 import { useMemo } from 'preact/hooks'
 import { splitSide } from '../../document/sides.ts'
-import { framesOf, type TakeMotion, weightsOf } from '../../document/takes.ts'
+import { framesOf, type TakeMotion, weightsOf } from '../../document/take.ts'
 import { curvesLabel } from '../../labels/live.ts'
 import { blendshapeLabel } from '../../labels/names.ts'
 

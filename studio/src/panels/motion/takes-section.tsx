@@ -1,5 +1,5 @@
 import { useId } from 'preact/hooks'
-import { durationOf, type Take } from '../../document/takes.ts'
+import { durationOf, type Take } from '../../document/take.ts'
 import { nameOfTakeLabel, TAKES } from '../../labels/live.ts'
 import { PLACES } from '../../labels/page.ts'
 import type { TakeEditor } from '../../session/take-editor.ts'

@@ -1,4 +1,4 @@
-import { rangeOf } from '../../document/takes.ts'
+import { rangeOf } from '../../document/take.ts'
 import { ANIMATION, speedLabel, timeLabel } from '../../labels/animation.ts'
 import type { ClipPlayer } from '../../viewer/pose/clip-player.ts'
 import { Check } from '../controls/check.tsx'

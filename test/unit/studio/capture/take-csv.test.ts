@@ -2,7 +2,7 @@ import { expect, it } from 'vitest'
 import { readLiveLinkFace } from '../../../../studio/src/capture/live-link-face.ts'
 import { takeCsv } from '../../../../studio/src/capture/take-csv.ts'
 import { takeOfCapture } from '../../../../studio/src/capture/take-of-capture.ts'
-import { framesOf, motionOf, type Take, weightsOf } from '../../../../studio/src/document/takes.ts'
+import { framesOf, motionOf, type Take, weightsOf } from '../../../../studio/src/document/take.ts'
 
 /** Returns weights that differ in each key frame. */
 const wave = (frames: number, phase: number) =>

@@ -1,7 +1,7 @@
 import type { FrameScores } from 'furrow/three'
 import { Group, type Mesh } from 'three'
 import { afterEach, beforeEach, expect, it, vi } from 'vitest'
-import type { TakeMotion } from '../../../../studio/src/document/takes.ts'
+import type { TakeMotion } from '../../../../studio/src/document/take.ts'
 import { Live } from '../../../../studio/src/live/live.ts'
 import type { SourceEvents } from '../../../../studio/src/live/source.ts'
 import { targetDials } from '../../../../studio/src/viewer/pose/dials.ts'
