@@ -161,7 +161,7 @@ test('takes are saved for other programs, in the project, and as an animation of
   expect(last).toBeGreaterThan(0.75)
 
   const project = unzipSync(await textOf(await saveProject(page)))
-  const take = JSON.parse(strFromU8(project['takes/Raise.json']))
+  const take = JSON.parse(strFromU8(project['human/takes/Raise.json']))
   expect(Object.keys(take).sort()).toEqual(['name', 'names', 'range', 'rate', 'version', 'weights'])
 
   const glb = await textOf(await exportFile(page))

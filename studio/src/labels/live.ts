@@ -11,7 +11,7 @@ export const SOURCES: Readonly<Record<SourceName, string>> = {
 /** How to use each source. */
 export const SOURCE_HINTS: Readonly<Record<SourceName, string>> = {
   webcam:
-    'Start downloads MediaPipe and its model (about 13 MB). Pictures of the camera never leave this page.',
+    'Start downloads MediaPipe and its model (more than 10 MB). Pictures of the camera never leave this page.',
   phone: 'Run npx furrow live on this computer, and paste the address that it prints.',
   microphone: 'The loudness of your voice opens the mouth. Sound never leaves this page.',
 }

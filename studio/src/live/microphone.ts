@@ -12,6 +12,8 @@ export const startMicrophone: StartSource = async (_, { onScores, onError }) => 
   const stream = await openDevice('microphone', { audio: true })
   onDisconnect('microphone', stream, onError)
   const context = new AudioContext()
+  // The question for access can take longer than the browser counts the click for.
+  void context.resume()
   const analyser = context.createAnalyser()
   context.createMediaStreamSource(stream).connect(analyser)
   const samples = new Float32Array(analyser.fftSize)
