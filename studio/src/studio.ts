@@ -157,6 +157,7 @@ export class Studio {
     const live = new Live({
       pose: this.#face.live,
       load: loadSource,
+      ready: () => this.#workspace.editable(),
       onTake: (motion) => takes.add(motion),
       onFull: () => messages.note(FULL_TAKE),
       onError: (error) => messages.error(error),
@@ -320,9 +321,9 @@ export class Studio {
       },
       motion: (name) => {
         if (this.#tools.mode.peek() !== 'motion') return false
-        if (name === 'record') live.toggleRecording()
-        else if (name === 'play') this.#face.player.toggle()
-        else takes.trimAtTime(name)
+        if (name === 'record') void attempt(() => live.toggleRecording())
+        else if (name !== 'play') takes.trimAtTime(name)
+        else if (live.recorded.peek() === null) this.#face.player.toggle()
         return true
       },
       tool: (name) => {

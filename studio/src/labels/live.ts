@@ -41,6 +41,7 @@ export const LIVE = {
   isCalibrated: 'Calibrated, and kept in this browser.',
   notCalibrated: 'Not calibrated. Relax your face for two seconds, so that it looks relaxed here too.',
   record: 'Record',
+  preparing: 'Preparing…',
   finish: 'Finish take',
 } as const
 

@@ -3,8 +3,9 @@ import type { FaceCalibration, FrameScores, RecordingKind } from 'furrow/three'
 import type { TakeMotion } from '../document/take.ts'
 import type { LivePose } from '../viewer/pose/live-pose.ts'
 import { storeCalibration, storedCalibration } from './calibrations.ts'
+import type { SourceCode } from './load-source.ts'
 import { type LiveSettings, readSettings, type SourceName, storeSettings } from './settings.ts'
-import type { RunningSource, SourceEvents, SourceStatus, StartSource } from './source.ts'
+import type { RunningSource, SourceEvents, SourceStatus } from './source.ts'
 import { MAX_SECONDS, TakeRecorder } from './take-recorder.ts'
 
 /** Durations of calibrations, seconds. */
@@ -24,8 +25,10 @@ export interface LiveParts {
     | 'weights'
     | 'stop'
   >
-  /** Loads the code that starts a source. */
-  load(source: SourceName): Promise<StartSource>
+  /** Loads the code of a source. */
+  load(source: SourceName): Promise<SourceCode>
+  /** Resolves when a take can be kept. Rejects with a FurrowError if it cannot. */
+  ready(): Promise<void>
   onTake(motion: TakeMotion): void
   /** Called when a take has reached its maximum length. */
   onFull(): void
@@ -48,6 +51,7 @@ export class Live {
   readonly #calibrating = signal<Calibrating | null>(null)
   readonly #isCalibrated = signal(false)
   readonly #recorded = signal<number | null>(null)
+  readonly #isPreparing = signal(false)
   /** Changes with each start and stop, so that events of an old source are ignored. */
   #run = 0
   #source: RunningSource | null = null
@@ -90,6 +94,11 @@ export class Live {
     return this.#recorded
   }
 
+  /** Whether a recording begins soon, when takes can be kept. */
+  get isPreparing(): ReadonlySignal<boolean> {
+    return this.#isPreparing
+  }
+
   /** Changes settings. Those of the source have an effect at the next start. */
   change(settings: Partial<LiveSettings>): void {
     this.#settings.value = { ...this.#settings.peek(), ...settings }
@@ -103,10 +112,11 @@ export class Live {
     this.stop()
     const run = this.#run
     const settings = this.#settings.peek()
-    this.#parts.pose.begin(settings)
     this.#status.value = 'starting'
     try {
-      const start = await this.#parts.load(settings.source)
+      const { start, Tracker } = await this.#parts.load(settings.source)
+      if (run !== this.#run) return
+      this.#parts.pose.begin(settings, Tracker)
       const source = await start(settings, this.#eventsOf(run))
       if (run === this.#run) this.#source = source
       else source.stop()
@@ -151,13 +161,24 @@ export class Live {
     return this.#parts.pose.calibration
   }
 
-  /** Starts to record a take, or finishes it. */
-  toggleRecording(): void {
-    if (this.#recorder) this.#finish()
-    else if (this.#sender.peek() !== null) {
-      this.#recorder = new TakeRecorder()
-      this.#recorded.value = 0
+  /** Starts to record a take, or finishes it. Rejects with a FurrowError if takes cannot be kept. */
+  async toggleRecording(): Promise<void> {
+    if (this.#recorder) {
+      this.#finish()
+      return
     }
+    if (this.#sender.peek() === null || this.#isPreparing.peek()) return
+    const run = this.#run
+    this.#isPreparing.value = true
+    try {
+      // Wait before the recording, because a take that cannot be kept would be lost.
+      await this.#parts.ready()
+    } finally {
+      this.#isPreparing.value = false
+    }
+    if (run !== this.#run) return
+    this.#recorder = new TakeRecorder()
+    this.#recorded.value = 0
   }
 
   #eventsOf(run: number): SourceEvents {

@@ -2,8 +2,6 @@ import { computed, effect, type ReadonlySignal } from '@preact/signals'
 import type { AnimationClip, Object3D } from 'three'
 import type { Capture } from '../capture/live-link-face.ts'
 import { takeClip } from '../capture/take-clip.ts'
-import { takeCsv } from '../capture/take-csv.ts'
-import { takeOfCapture } from '../capture/take-of-capture.ts'
 import { rangeOf, type Take, type TakeMotion } from '../document/take.ts'
 import { addTake, removeTake, renameTake, trimTake } from '../document/takes.ts'
 import type { Clip, ClipPlayer } from '../viewer/pose/clip-player.ts'
@@ -52,6 +50,7 @@ export class TakeEditor {
 
   /** Adds and chooses a take from a file. Rejects with a FurrowError if the face has none of its blendshapes. */
   async open(capture: Capture): Promise<void> {
+    const { takeOfCapture } = await import('../capture/take-of-capture.ts')
     await this.#add('Open a recording', takeOfCapture(capture, this.#targets))
   }
 
@@ -79,8 +78,9 @@ export class TakeEditor {
     this.#parts.session.edit('Delete a take', (document) => removeTake(document, name))
   }
 
-  /** Saves a take as a CSV of Live Link Face. */
-  save(take: Take): void {
+  /** Saves a take as a CSV of Live Link Face. Rejects if the code cannot be loaded. */
+  async save(take: Take): Promise<void> {
+    const { takeCsv } = await import('../capture/take-csv.ts')
     const name = take.name.replace(/[\\/:*?"<>|\p{Cc}]/gu, '_')
     this.#parts.saveFile(new Blob(takeCsv(take), { type: 'text/csv' }), `${name}.csv`)
   }

@@ -92,7 +92,7 @@ it('an invalid name is refused, and the take keeps its name', async () => {
 it('a take is saved as a file that can be opened as a take', async () => {
   await record()
   editor.rename('Take 1', 'a/b')
-  editor.save(editor.chosen.value!)
+  await editor.save(editor.chosen.value!)
   expect(saved?.name).toBe('a_b.csv')
   await editor.open(await readLiveLinkFace(new File([saved!.file], saved!.name)))
   expect(editor.chosen.value).toMatchObject({

@@ -55,11 +55,11 @@ export function LiveSection({ model }: { model: PanelModel }) {
               {LIVE.stop}
             </button>
           ) : (
-            <button type="button" class="start-live" onClick={actions.startLive}>
+            <button type="button" onClick={actions.startLive}>
               {LIVE.start}
             </button>
           )}
-          {live.sender.value !== null && <RecordButton live={live} />}
+          {live.sender.value !== null && <RecordButton model={model} />}
         </div>
         {live.sender.value !== null && <Calibration model={model} />}
         <Flag live={live} name="mirror" label={LIVE.mirror} title={LIVE.mirrorHint} />
@@ -95,11 +95,11 @@ function Status({ live: { status, sender, calibrating, recorded } }: { live: Liv
   )
 }
 
-function RecordButton({ live }: { live: Live }) {
-  const isRecording = live.recorded.value !== null
+function RecordButton({ model: { live, actions } }: { model: PanelModel }) {
+  const start = live.isPreparing.value ? LIVE.preparing : LIVE.record
   return (
-    <button type="button" class="record" aria-keyshortcuts="r" onClick={() => live.toggleRecording()}>
-      {isRecording ? LIVE.finish : LIVE.record}
+    <button type="button" aria-keyshortcuts="r" onClick={() => actions.attempt(() => live.toggleRecording())}>
+      {live.recorded.value === null ? start : LIVE.finish}
     </button>
   )
 }

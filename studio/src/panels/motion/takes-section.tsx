@@ -15,7 +15,7 @@ export function TakesSection({ model: { player, takes, actions } }: { model: Pan
     <Section title={PLACES.takes}>
       {player.takes.value.length === 0 && <p class="hint">{TAKES.none}</p>}
       <ClipList label={PLACES.takes} clips={player.takes.value} player={player} />
-      {chosen && <ChosenTake take={chosen} editor={takes} />}
+      {chosen && <ChosenTake take={chosen} editor={takes} attempt={actions.attempt} />}
       <div class="work">
         <FileButton accept=".csv" isMultiple onChoose={actions.openFiles}>
           {TAKES.open}
@@ -25,7 +25,14 @@ export function TakesSection({ model: { player, takes, actions } }: { model: Pan
   )
 }
 
-function ChosenTake({ take, editor }: { take: Take; editor: TakeEditor }) {
+interface ChosenTakeProps {
+  take: Take
+  editor: TakeEditor
+  /** Runs a task and shows its errors. */
+  attempt(task: () => unknown): void
+}
+
+function ChosenTake({ take, editor, attempt }: ChosenTakeProps) {
   const { name } = take
   const id = useId()
   return (
@@ -47,7 +54,7 @@ function ChosenTake({ take, editor }: { take: Take; editor: TakeEditor }) {
         />
       </div>
       <div class="work">
-        <button type="button" title={TAKES.saveHint} onClick={() => editor.save(take)}>
+        <button type="button" title={TAKES.saveHint} onClick={() => attempt(() => editor.save(take))}>
           {TAKES.save}
         </button>
         {take.range && (

@@ -1,6 +1,6 @@
 import { type ReadonlySignal, signal } from '@preact/signals'
 import { FurrowError } from 'furrow'
-import { type FaceCalibration, FaceTracker, type FrameScores, type RecordingKind } from 'furrow/three'
+import type { FaceCalibration, FaceTracker, FrameScores, RecordingKind } from 'furrow/three'
 import type { Viewer } from '../viewer.ts'
 import { type Pose, poseOf, writePose } from './pose.ts'
 
@@ -25,6 +25,7 @@ export class LivePose {
   readonly #parts: LivePoseParts
   readonly #isOn = signal(false)
   #tracker: FaceTracker | null = null
+  #Tracker: typeof FaceTracker | null = null
   #options: TrackerOptions = { mirror: true, isSmooth: true }
   /** Blendshapes for which the tracker was made. Muscles add and remove blendshapes. */
   #targets: Viewer['targets'] = []
@@ -42,13 +43,15 @@ export class LivePose {
   /**
    * Remembers the pose, and relaxes the face.
    *
+   * @param Tracker class of the tracker, which the page loads when it is needed.
    * @throws FurrowError if no face is shown, or the face has no blendshapes.
    */
-  begin(options: TrackerOptions): void {
+  begin(options: TrackerOptions, Tracker: typeof FaceTracker): void {
     const viewer = this.#parts.viewer.peek()
     if (!viewer || viewer.targets.length === 0) throw noBlendshapesError()
     this.#parts.begin()
     this.#options = options
+    this.#Tracker = Tracker
     this.#before = { root: viewer.avatar.root, pose: poseOf(viewer) }
     viewer.move(() => {
       for (const dial of viewer.targets) dial.write(0)
@@ -92,7 +95,7 @@ export class LivePose {
   /** @throws FurrowError if the calibration is invalid. */
   calibrate(calibration: FaceCalibration): void {
     const viewer = this.#parts.viewer.peek()
-    if (viewer) this.#trackerOf(viewer).calibration = calibration
+    if (viewer && this.#isOn.peek()) this.#trackerOf(viewer).calibration = calibration
   }
 
   /** Weights of all blendshapes of the face now. The keys are their names. */
@@ -116,7 +119,7 @@ export class LivePose {
     if (old && targets === this.#targets) return old
     const { mirror, isSmooth } = this.#options
     for (const dial of targets) dial.write(0)
-    const tracker = new FaceTracker(avatar.root, {
+    const tracker = new this.#Tracker!(avatar.root, {
       mirror,
       substitutes: true,
       ...(!isSmooth && { filter: null }),

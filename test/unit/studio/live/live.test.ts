@@ -1,4 +1,4 @@
-import type { FrameScores } from 'furrow/three'
+import { FaceTracker, type FrameScores } from 'furrow/three'
 import { Group, type Mesh } from 'three'
 import { afterEach, beforeEach, expect, it, vi } from 'vitest'
 import type { TakeMotion } from '../../../../studio/src/document/take.ts'
@@ -51,11 +51,17 @@ afterEach(() => vi.unstubAllGlobals())
 const newLive = () =>
   new Live({
     pose,
-    load: async (name) => async (_, events) => {
+    load: async (name) => ({
+      Tracker: FaceTracker,
+      start: async (_, events) => {
+        if (failure) throw failure
+        source = events
+        log.push(`start ${name}`)
+        return { stop: () => log.push('stop') }
+      },
+    }),
+    ready: async () => {
       if (failure) throw failure
-      source = events
-      log.push(`start ${name}`)
-      return { stop: () => log.push('stop') }
     },
     onTake: (motion) => takes.push(motion),
     onFull: () => log.push('full'),
@@ -116,11 +122,16 @@ it('a source that cannot start leaves the pose, and tells why', async () => {
   expect({ weights: weights(), status: live.status.value }).toEqual({ weights: [0.3, 0, 0], status: null })
 })
 
-it('a source that is stopped while it starts is released', async () => {
+it('a source that is stopped while it starts is released, or does not start', async () => {
+  const loading = live.start()
+  live.stop()
+  await loading
+  expect(log).toEqual([])
   const starting = live.start()
+  while (!log.includes('start webcam')) await Promise.resolve()
   live.stop()
   await starting
-  expect({ log: log.at(-1), status: live.status.value }).toEqual({ log: 'stop', status: null })
+  expect({ log, status: live.status.value }).toEqual({ log: ['begin', 'start webcam', 'stop'], status: null })
 })
 
 it('a source that ends by itself stops with its error', async () => {
@@ -216,13 +227,13 @@ it('settings are kept in the browser, except the address with its secret', () =>
 
 it('records the weights of the face, and nothing else', async () => {
   await live.start()
-  live.toggleRecording()
+  await live.toggleRecording()
   expect(live.recorded.value).toBe(null)
   send(0.1, () => ({ jawOpen: 0 }))
-  live.toggleRecording()
+  await live.toggleRecording()
   send(2, (seconds) => ({ jawOpen: seconds / 4 }), 'webcam', 60)
   expect(live.recorded.value).toBe(1)
-  live.toggleRecording()
+  await live.toggleRecording()
   expect(live.recorded.value).toBe(null)
   const [{ names, weights: recorded }] = takes
   expect(names).toEqual(['jawOpen'])
@@ -234,13 +245,13 @@ it('records the weights of the face, and nothing else', async () => {
 it('a recording ends with the source, and after ten minutes', async () => {
   await live.start()
   send(0.1, () => ({ jawOpen: 0 }))
-  live.toggleRecording()
+  await live.toggleRecording()
   send(1, () => ({ jawOpen: 0.5 }))
   live.stop()
   expect(takes).toHaveLength(1)
   await live.start()
   send(0.1, () => ({ jawOpen: 0 }))
-  live.toggleRecording()
+  await live.toggleRecording()
   send(601, () => ({ jawOpen: 0.5 }), 'webcam', 10)
   expect({ full: log.includes('full'), recorded: live.recorded.value }).toEqual({
     full: true,
@@ -252,11 +263,22 @@ it('a recording ends with the source, and after ten minutes', async () => {
 it('a recording without scores is refused', async () => {
   await live.start()
   send(0.1, () => ({ jawOpen: 0 }))
-  live.toggleRecording()
-  live.toggleRecording()
+  await live.toggleRecording()
+  await live.toggleRecording()
   expect(errors).toEqual([
     'Studio: nothing was recorded, because no scores arrived; wait until the source shows a face, then record again',
   ])
+})
+
+it('a recording does not start if takes cannot be kept', async () => {
+  await live.start()
+  send(0.1, () => ({ jawOpen: 0 }))
+  failure = new Error('no project')
+  await expect(live.toggleRecording()).rejects.toThrow('no project')
+  expect({ recorded: live.recorded.value, isPreparing: live.isPreparing.value }).toEqual({
+    recorded: null,
+    isPreparing: false,
+  })
 })
 
 it('a face without blendshapes cannot follow', async () => {
