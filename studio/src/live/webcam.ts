@@ -30,11 +30,15 @@ export const startWebcam: StartSource = async ({ library, model }, { onScores, o
     }
     const read = () => {
       if (!isRunning) return
-      const milliseconds = performance.now()
-      const scores = landmarker.detectForVideo(video, milliseconds).faceBlendshapes[0]?.categories
-      if (scores) onScores(scores, milliseconds / 1000, 'webcam')
-      else onStatus('noFace')
-      next()
+      try {
+        const milliseconds = performance.now()
+        const scores = landmarker.detectForVideo(video, milliseconds).faceBlendshapes[0]?.categories
+        if (scores) onScores(scores, milliseconds / 1000, 'webcam')
+        else onStatus('noFace')
+        next()
+      } catch (error) {
+        onError(mediaPipeError('MediaPipe', library, error))
+      }
     }
     onStatus('noFace')
     next()
@@ -55,10 +59,10 @@ async function loadLandmarker(library: string, model: string): Promise<Landmarke
   const { FaceLandmarker, FilesetResolver } = await import(
     /* @vite-ignore */ `${library}/vision_bundle.mjs`
   ).catch((cause) => {
-    throw loadError('MediaPipe', library, cause)
+    throw mediaPipeError('MediaPipe', library, cause)
   })
   const bytes = await fetchModel(model).catch((cause) => {
-    throw loadError("MediaPipe's model", model, cause)
+    throw mediaPipeError("MediaPipe's model", model, cause)
   })
   try {
     return await FaceLandmarker.createFromOptions(await FilesetResolver.forVisionTasks(`${library}/wasm`), {
@@ -67,7 +71,7 @@ async function loadLandmarker(library: string, model: string): Promise<Landmarke
       outputFaceBlendshapes: true,
     })
   } catch (cause) {
-    throw loadError('MediaPipe', library, cause)
+    throw mediaPipeError('MediaPipe', library, cause)
   }
 }
 
@@ -77,8 +81,8 @@ async function fetchModel(address: string): Promise<Uint8Array> {
   return new Uint8Array(await response.arrayBuffer())
 }
 
-function loadError(part: string, address: string, cause: unknown): FurrowError {
-  const problem = `${part} cannot be loaded (${(cause as Error)?.message ?? cause})`
+function mediaPipeError(part: string, address: string, cause: unknown): FurrowError {
+  const problem = `${part} cannot be used (${(cause as Error)?.message ?? cause})`
   const remedy = 'check the connection and the address in the settings of the webcam'
   return new FurrowError({ code: 'unreadable', who: 'Studio', problem, value: address, remedy }, { cause })
 }

@@ -99,14 +99,47 @@ describe('a webcam', () => {
     const stop = vi.fn()
     withCamera(async () => ({ getTracks: () => [{ stop }] }))
     await expect(startWebcam({ ...LIVE_DEFAULTS, library: 'file:///none' }, handlers)).rejects.toThrow(
-      'MediaPipe cannot be loaded',
+      'MediaPipe cannot be used',
     )
     const library = 'data:text/javascript,export const [FaceLandmarker, FilesetResolver] = [{}, {}] //'
     vi.stubGlobal('fetch', async () => new Response('', { status: 404 }))
     await expect(startWebcam({ ...LIVE_DEFAULTS, library }, handlers)).rejects.toThrow(
-      "MediaPipe's model cannot be loaded (status 404)",
+      "MediaPipe's model cannot be used (status 404)",
     )
     expect(stop).toHaveBeenCalledTimes(2)
+  })
+
+  it('delivers scores of each picture, tells when no face is visible, and ends if MediaPipe fails', async () => {
+    const stop = vi.fn()
+    withCamera(async () => ({ getTracks: () => [{ stop, addEventListener: () => {} }] }))
+    const categories = [{ categoryName: 'jawOpen', score: 0.5 }]
+    const results: unknown[] = [[{ categories }], [], null]
+    const close = vi.fn()
+    const landmarker = { detectForVideo: () => ({ faceBlendshapes: results.shift() }), close }
+    vi.stubGlobal('landmarker', landmarker)
+    let show = () => {}
+    const requestVideoFrameCallback = (call: () => void) => {
+      show = call
+    }
+    vi.stubGlobal('document', { createElement: () => ({ play: async () => {}, requestVideoFrameCallback }) })
+    vi.stubGlobal('fetch', async () => new Response('model'))
+    const exports = [
+      'FilesetResolver = { forVisionTasks: async () => null }',
+      'FaceLandmarker = { createFromOptions: async () => globalThis.landmarker }',
+    ]
+    const library = `data:text/javascript,${exports.map((each) => `export const ${each};`).join('')}//`
+    const source = await startWebcam({ ...LIVE_DEFAULTS, library }, handlers)
+    for (let i = 0; i < 3; i++) show()
+    expect(events).toEqual([
+      'noFace',
+      [categories, expect.any(Number), 'webcam'],
+      'noFace',
+      expect.stringContaining('MediaPipe cannot be used'),
+    ])
+    source.stop()
+    expect([stop.mock.calls.length, close.mock.calls.length]).toEqual([1, 1])
+    show()
+    expect(events).toHaveLength(4)
   })
 })
 
