@@ -7,7 +7,12 @@ const doc = (text, name) => ({ text, link: `/docs/${name}` })
 const group = (text, items, more) => ({ text, items, ...more })
 
 const GUIDES = [
-  group('Start', [{ text: 'Overview', link: '/overview' }, doc('Guide', 'guide'), doc('Studio', 'studio')]),
+  group('Start', [
+    { text: 'Overview', link: '/overview' },
+    doc('Guide', 'guide'),
+    doc('Studio', 'studio'),
+    doc('Tasks in the studio', 'studio-tasks'),
+  ]),
   group('Make wrinkles', [
     doc('From blendshapes', 'auto'),
     doc('Hands, necks and clothes', 'body'),
@@ -31,6 +36,7 @@ const GUIDES = [
   group('Drive them', [
     doc('Drivers', 'drivers'),
     doc('Drivers in the studio', 'studio-drivers'),
+    doc('Live faces in the studio', 'studio-motion'),
     doc('Layers, projects and files', 'studio-files'),
     doc('Expressions', 'expressions'),
     doc('Face tracking', 'tracking'),
