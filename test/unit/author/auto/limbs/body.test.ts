@@ -1,6 +1,6 @@
 import { findBody } from 'furrow/internal'
 import { describe, expect, it } from 'vitest'
-import { FINGERS, RIGS, type SkeletonOptions, skeletonOf } from './rigs.ts'
+import { FINGERS, PIGTAILS, RIGS, SKIRTS, type SkeletonOptions, skeletonOf, TWISTS } from './rigs.ts'
 
 const VARIANTS: [string, SkeletonOptions][] = [
   ['in a T pose', {}],
@@ -44,18 +44,71 @@ describe.each(Object.entries(RIGS))('a skeleton of %s', (_, rig) => {
   })
 })
 
-describe('a skeleton with meaningless names', () => {
-  it.each(VARIANTS)('%s has the same hands and the same neck', (_, options) => {
-    const rig = RIGS.Mixamo!
+/** Names that say nothing, in an order that says nothing either. */
+const rename = (_: string, i: number) => `node${(7 * i) % 97}`
+
+describe.each(Object.keys(RIGS))('a skeleton of %s with meaningless names', (name) => {
+  it.each(VARIANTS)('%s has the same hands, neck, elbows, knees and trunk', (_, options) => {
+    const rig = RIGS[name]!
     const known = findBody(skeletonOf(rig, options))
-    const { hands, neck } = findBody(skeletonOf(rig, { ...options, rename: (_, i) => `node${(7 * i) % 97}` }))
+    const { hands, neck, limbs, trunk } = findBody(skeletonOf(rig, { ...options, rename }))
     expect(neck).toEqual(known.neck)
+    expect(trunk).toEqual(known.trunk)
     expect(hands).toHaveLength(2)
     for (const hand of hands) {
       const same = known.hands.find(({ wrist }) => wrist === hand.wrist)!
       expect(hand.fingers).toEqual(same.fingers)
     }
+    const withoutSides = known.limbs.map((limb) => ({ ...limb, side: undefined }))
+    expect(limbs).toHaveLength(4)
+    expect(limbs).toEqual(expect.arrayContaining(withoutSides))
   })
+
+  it('has the same elbows and knees without fingers', () => {
+    const [known, nameless] = [{}, { rename }].map((options) =>
+      findBody(skeletonOf(RIGS[name]!, { ...options, fingers: false })).limbs.map(({ kind, hinge }) => [
+        kind,
+        hinge,
+      ]),
+    )
+    expect(nameless).toEqual(expect.arrayContaining(known!))
+    expect(nameless).toHaveLength(4)
+  })
+
+  it('has the same elbows and knees with twist joints, skirts and pigtails', () => {
+    const rig = { ...RIGS[name]!, extra: [...TWISTS, ...SKIRTS, ...PIGTAILS] }
+    const [known, nameless] = [skeletonOf(rig), skeletonOf(rig, { rename })].map((skeleton) =>
+      findBody(skeleton).limbs.map(({ kind, hinge }) => [kind, hinge]),
+    )
+    expect(nameless).toEqual(expect.arrayContaining(known!))
+    expect(nameless).toHaveLength(4)
+  })
+})
+
+it('the trunk of a person has the joints from the legs to the arms', () => {
+  const skeleton = skeletonOf(RIGS.Mixamo!)
+  const { base, chain } = findBody(skeleton).trunk!
+  expect([base, ...chain].map((joint) => skeleton.joints[joint]!.name)).toEqual([
+    'mixamorig:Hips',
+    'mixamorig:Spine',
+    'mixamorig:Spine2',
+  ])
+})
+
+it('a dog has no elbows, no knees and no trunk', () => {
+  // A dog is a person whose spine is horizontal.
+  const dog = skeletonOf(RIGS.Mixamo!, { rename, fingers: false })
+  const joints = dog.joints.map((joint, i) => {
+    const bind = Array.from(joint.bind)
+    const isTrunk = i < 5
+    if (isTrunk) [bind[13], bind[14]] = [1, bind[13]! - 1]
+    else if (Math.abs(bind[12]!) > 0.15 || bind[13]! > 1.2)
+      [bind[12], bind[13], bind[14]] = [0.1 * Math.sign(bind[12]!), 1.1 - Math.abs(bind[12]!), 0.4]
+    return { ...joint, bind }
+  })
+  const { limbs, trunk } = findBody({ ...dog, joints })
+  expect(limbs).toEqual([])
+  expect(trunk).toBeUndefined()
 })
 
 it('a skeleton of a table has no hands and no neck', () => {
@@ -75,6 +128,7 @@ it('a skeleton of a table has no hands and no neck', () => {
     hands: [],
     neck: undefined,
     limbs: [],
+    trunk: undefined,
   })
 })
 

@@ -191,19 +191,38 @@ export const RIGS: Record<string, Rig> = {
   },
 }
 
+/** Joints that move twisted skin, a skirt and hair. */
+export const TWISTS: Bone[] = [
+  ['upperArmTwist', 'upperArm', [0.3, 1.4, 0]],
+  ['lowerArmTwist', 'lowerArm', [0.58, 1.4, 0]],
+  ['upperLegTwist', 'upperLeg', [0.1, 0.7, 0]],
+]
+export const SKIRTS: Bone[] = [
+  ['skirt1', 'hips', [0.15, 0.9, 0.1]],
+  ['skirt2', 'skirt1', [0.18, 0.7, 0.12]],
+  ['skirt3', 'skirt2', [0.2, 0.4, 0.14]],
+]
+export const PIGTAILS: Bone[] = [
+  ['pigtail1', 'head', [0.1, 1.65, -0.05]],
+  ['pigtail2', 'pigtail1', [0.18, 1.3, -0.08]],
+  ['pigtail3', 'pigtail2', [0.19, 0.8, -0.1]],
+]
+
 export interface SkeletonOptions {
   /** Turns the arms down by these degrees: 0 for a T pose, 45 for an A pose. */
   armsDown?: number
   /** Whether each joint has arbitrary axes in the bind pose. */
   turned?: boolean
   scale?: number
+  /** Whether the hands have fingers; default: true. */
+  fingers?: boolean
   rename?: (name: string, index: number) => string
 }
 
 /** Builds the skeleton of a person. Each joint moves one vertex, except those that only a rig has. */
 export function skeletonOf(
   { name, extra = [] }: Rig,
-  { armsDown = 0, turned = false, scale = 1, rename = (own) => own }: SkeletonOptions = {},
+  { armsDown = 0, turned = false, scale = 1, fingers = true, rename = (own) => own }: SkeletonOptions = {},
 ): SkinSkeleton {
   const joints: (SkinJoint & { part: string })[] = []
   const add = (part: string, parent: string, at: readonly number[], side: '' | 'left' | 'right') => {
@@ -222,8 +241,9 @@ export function skeletonOf(
   }
   for (const [part, parent, at] of MIDDLE) add(part, parent, at, '')
   const isMiddle = (part: string) => part === '' || MIDDLE.some(([own]) => own === part)
+  const sided = [...SIDED, ...extra].filter((bone) => fingers || !HAND.includes(bone))
   for (const side of ['left', 'right'] as const)
-    for (const [part, parent, at] of [...SIDED, ...extra])
+    for (const [part, parent, at] of sided)
       add(part, isMiddle(parent) ? parent : `${parent}${side}`, at, side)
   return {
     joints: joints.map(({ part, ...joint }, i) => ({ ...joint, name: rename(joint.name, i) })),

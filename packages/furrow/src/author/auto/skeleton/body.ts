@@ -9,23 +9,58 @@ import {
   type Finger,
 } from './bone-names.ts'
 import { ancestorsOf, commonAncestor, movedSkin } from './hierarchy.ts'
-import type { Body, HandJoints, NeckJoints } from './humanoid.ts'
-import { findLimbs } from './limb-joints.ts'
+import type { Body, HandJoints, HingedLimb, NeckJoints, TrunkJoints } from './humanoid.ts'
+import { findLimbsByName, movesBothHalves } from './limb-joints.ts'
+import { findLimbsByShape } from './limbs-by-shape.ts'
 
 /** Minimum number of fingers of a hand. */
 const MIN_FINGERS = 3
 /** Maximum number of joints of a finger. Further joints at the base lie inside the palm. */
 const FINGER_JOINTS = 3
 
-/** Recognises hands, a neck, arms and legs by the names of the joints, or by the shape of the skeleton if the names are unknown. */
+/** Recognises hands, a neck, arms, legs and a trunk by the names of the joints, or by the shape of the skeleton if the names are unknown. */
 export function findBody(skeleton: SkinSkeleton): Body {
   const names = skeleton.joints.map(({ name, humanBone }) => boneNameOf(humanBone ?? name))
   const isMoving = movedSkin(skeleton)
   const named = handsByName(skeleton, names, isMoving)
   const hands = named.length > 0 ? named : findHandsByShape(skeleton, isMoving)
+  // The hands of a person in clothes belong to another mesh.
+  const handsOfAnyMesh = findHandsByShape(
+    skeleton,
+    skeleton.joints.map(() => true),
+  )
   const isNamed = names.some((found) => found?.part === 'head' || found?.part === 'neck')
-  const neck = isNamed ? neckByName(skeleton, names, isMoving) : findNeckByShape(skeleton, hands, isMoving)
-  return { hands, neck, limbs: findLimbs(skeleton, names, isMoving) }
+  const neck = isNamed
+    ? neckByName(skeleton, names, isMoving)
+    : findNeckByShape(skeleton, handsOfAnyMesh, isMoving)
+  const limbsByName = findLimbsByName(skeleton, names)
+  const wrists = handsOfAnyMesh.map(({ wrist }) => wrist)
+  const limbs = limbsByName.length > 0 ? limbsByName : findLimbsByShape(skeleton, wrists)
+  return {
+    hands,
+    neck,
+    limbs: limbs.filter((limb) => movesBothHalves(skeleton.joints, limb, isMoving)),
+    trunk: trunkBetween(skeleton, limbs, isMoving),
+  }
+}
+
+/** Returns the spine between the legs and the arms. */
+function trunkBetween(
+  { joints }: SkinSkeleton,
+  limbs: readonly HingedLimb[],
+  isMoving: readonly boolean[],
+): TrunkJoints | undefined {
+  const meetingOf = (kind: HingedLimb['kind']) => {
+    const hinges = limbs.filter((limb) => limb.kind === kind).map(({ hinge }) => hinge)
+    return hinges.length === 2 ? commonAncestor(joints, hinges) : undefined
+  }
+  const [base, top] = [meetingOf('knee'), meetingOf('elbow')]
+  if (base === undefined || top === undefined) return undefined
+  const line = [...ancestorsOf(joints, top), top]
+  const chain = line.slice(line.indexOf(base) + 1)
+  // A shirt follows most of the spine, but trousers and a collar do not.
+  const moving = chain.filter((joint) => isMoving[joint]).length
+  return line.includes(base) && moving > chain.length / 2 ? { base, chain } : undefined
 }
 
 function handsByName(

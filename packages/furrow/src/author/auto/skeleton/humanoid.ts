@@ -28,9 +28,18 @@ export interface HingedLimb {
   end: number | undefined
 }
 
+/** Joints of the spine between the legs and the arms. */
+export interface TrunkJoints {
+  /** Joint at which the legs begin. */
+  base: number
+  /** Joints above `base`, up to the one at which the arms begin. */
+  chain: readonly number[]
+}
+
 /** Parts of a humanoid that the skeleton of a skin moves. */
 export interface Body {
   hands: readonly HandJoints[]
   neck: NeckJoints | undefined
   limbs: readonly HingedLimb[]
+  trunk: TrunkJoints | undefined
 }

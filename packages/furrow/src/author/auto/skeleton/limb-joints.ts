@@ -8,15 +8,14 @@ import type { HingedLimb } from './humanoid.ts'
 /** Bones belong to one line if the cosine between them exceeds this. */
 const STRAIGHT = 0.85
 /** Range of the ratio between the lengths above and below a hinge. */
-const RATIO = [0.4, 2.5] as const
+export const RATIO = [0.4, 2.5] as const
 /** Angle cosine between the upper and the lower half of a limb in the bind pose, at least. */
-const EXTENDED = 0.2
+export const EXTENDED = 0.2
 
 /** Recognises arms and legs by the names of the joints at their hinges. */
-export function findLimbs(
+export function findLimbsByName(
   { joints }: SkinSkeleton,
   names: readonly (BoneName | undefined)[],
-  isMoving: readonly boolean[],
 ): HingedLimb[] {
   return (['elbow', 'knee'] as const).flatMap((kind) =>
     (['left', 'right', undefined] as const).flatMap((side) => {
@@ -30,7 +29,7 @@ export function findLimbs(
       const limb = own
         .map((hinge) => limbAt(joints, kind, side, hinge, startOf(joints, names, kind, hinge)))
         .find((found) => found !== undefined)
-      return limb && movesBothHalves(joints, limb, isMoving) ? [limb] : []
+      return limb ? [limb] : []
     }),
   )
 }
@@ -93,7 +92,8 @@ function endOf(joints: readonly SkinJoint[], hinge: number): number | undefined 
   }
 }
 
-function movesBothHalves(
+/** Returns whether both halves of a limb move the skin. */
+export function movesBothHalves(
   joints: readonly SkinJoint[],
   { start, hinge }: HingedLimb,
   isMoving: readonly boolean[],
