@@ -59,10 +59,10 @@ export function findSurfaces(
   return { surfaces, notes: [...unknown.map(noteOf), ...clothNote(unfolded)] }
 }
 
-/** Returns whether joints of the given limbs fold a surface: skin at hands and necks, and cloth at elbows and knees. */
+/** Returns whether joints of the given limbs fold a surface: skin at all of them, and cloth at elbows, knees and waists. */
 export function isFoldedAs(kind: SurfaceKind | 'unknown' | undefined, limbs: readonly string[]): boolean {
-  const hinges = limbs.filter((limb) => /elbow|knee/.test(limb)).length
-  return (kind === 'skin' && limbs.length > hinges) || (kind === 'cloth' && hinges > 0)
+  if (kind === 'cloth') return limbs.some((limb) => /elbow|knee|waist/.test(limb))
+  return kind === 'skin' && limbs.some((limb) => limb !== 'waist')
 }
 
 interface JudgedSurface extends JudgedKind {

@@ -1,28 +1,18 @@
 import { Rng } from '../../../math/rng.ts'
 import { clamp, smoothstep } from '../../../math/scalar.ts'
-import { vectorAt } from '../../../math/vector3.ts'
-import { type LimbSkin, pointWeights } from '../limbs/limb-skin.ts'
+import { FLEXION, type Hinged, hingeOf, OWN, placesAround, STRAINED } from '../limbs/hinge.ts'
+import type { LimbSkin } from '../limbs/limb-skin.ts'
 import type { RegionPlan } from '../limbs/region-plan.ts'
 import { DEGREE } from '../limbs/turn.ts'
-import type { Hinge } from '../skeleton/bone-names.ts'
-import { subtreeOf } from '../skeleton/hierarchy.ts'
 import type { HingedLimb } from '../skeleton/humanoid.ts'
 import { clothCreases } from './cloth-creases.ts'
 import { buckleCloth } from './cloth-film.ts'
 import { CLOTHS, type ClothKind } from './cloth-kinds.ts'
 import { fitHeights } from './fit-heights.ts'
-import { aroundHinge, type Hinged, hingeOf } from './hinge.ts'
 import { crushMask, hemMask } from './masks.ts'
 import { traceRidges } from './ridges.ts'
 import { tensionLines } from './tension-lines.ts'
 
-/**
- * Full angles in degrees. People flex elbows by 150 and knees by 135 degrees (American Academy of Orthopaedic Surgeons 1965). Beyond the
- * angles here, both halves of a limb touch and hide further folds.
- */
-const RANGES: Readonly<Record<Hinge, number>> = { elbow: 115, knee: 115 }
-/** Fraction of the full angle at which the strain is measured. At larger angles, the crook would pass through itself. */
-const STRAINED = 0.7
 /** Angle from the crook, in degrees, up to which the cloth folds completely, and at which the folds end: at the tip of the elbow. */
 const AROUND = [112, 166] as const
 /** Length of the folded part in radii of the tube, on both sides of the hinge. */
@@ -33,8 +23,8 @@ const HALVES = [0.72, 0.8] as const
 const FAN = 0.3
 /** Maximum height of a fold in wavelengths. Neighbouring cloth and the body limit it. */
 const MAX_HEIGHT = 0.3
-/** Share of a limb's own joints from which on cloth belongs to the limb. */
-const OWN = [0.35, 0.7] as const
+/** Share of a limb's own joints from which on cloth begins to belong to the limb. */
+const FROM = 0.35
 
 /** Returns the regions of cloth at elbows and knees. */
 export function hingeRegions(
@@ -55,29 +45,24 @@ function regionOf(
   hem: (point: number) => number,
   { seed, strength, cloth }: { seed: number; strength: number; cloth: ClothKind },
 ): RegionPlan | undefined {
-  const { kind, start, hinge, axis, lengths } = hinged
+  const { kind, hinge, axis, lengths } = hinged
   const { surface } = limb.prepared
   const { joints } = limb.skeleton
-  const on = pointWeights(limb, subtreeOf(joints, start))
-  const places = Array.from(on, (_, point) => aroundHinge(hinged, vectorAt(surface.points, point)))
-  const radii = places
-    .filter(({ along }, i) => on[i] > OWN[1] && Math.abs(along) < 0.35 * Math.min(...lengths))
-    .map(({ radius }) => radius)
-    .sort((a, b) => a - b)
-  if (radii.length === 0) return undefined
-  const radius = radii[radii.length >> 1]
+  const around = placesAround(limb, hinged)
+  if (!around) return undefined
+  const { on, places, radius } = around
   const { looseness, wavelength } = CLOTHS[cloth]
-  const turn = { joints: [hinge], from: joints[hinge].parent, axis, full: RANGES[kind] * DEGREE }
+  const turn = { joints: [hinge], from: joints[hinge].parent, axis, full: FLEXION[kind] * DEGREE }
   const ends = [-HALVES[0] * lengths[0], HALVES[1] * lengths[1]]
   const weight = (point: number) => {
-    if (on[point] < OWN[0]) return 0
+    if (on[point] < FROM) return 0
     const { angle, along, radius: away } = places[point]
     if (along < ends[0] || along > ends[1] || away > 2.2 * radius) return 0
     const far = Math.abs(along) / radius
     return (
       (1 - smoothstep((Math.abs(angle) / DEGREE - AROUND[0]) / (AROUND[1] - AROUND[0]))) *
       (1 - smoothstep((far - ALONG[0]) / (ALONG[1] - ALONG[0]))) *
-      smoothstep((on[point] - OWN[0]) / (OWN[1] - OWN[0])) *
+      smoothstep((on[point] - FROM) / (OWN - FROM)) *
       smoothstep((along - ends[0]) / wavelength) *
       smoothstep((ends[1] - along) / wavelength) *
       hem(point)

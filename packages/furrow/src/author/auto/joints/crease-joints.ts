@@ -11,6 +11,7 @@ import { type LimbSkin, limbSkin } from '../limbs/limb-skin.ts'
 import { neckRegions } from '../limbs/neck-regions.ts'
 import { widened } from '../limbs/observed.ts'
 import type { RegionPlan, SkinPlan } from '../limbs/region-plan.ts'
+import { skinHinges } from '../limbs/skin-hinges.ts'
 import { type TurnedSkin, turnDisplacements, turnSkin, turnTensors } from '../limbs/turn.ts'
 import { wristRegions } from '../limbs/wrist-regions.ts'
 import { type CreasedRegion, creaseLines, type LineSettings } from '../lines/crease.ts'
@@ -44,7 +45,7 @@ const SMOOTHING = 0.35
 const FRACTIONS = [0.125, 0.25, 0.5, 0.75, 1]
 
 /**
- * Lays the wrinkle lines of skin that joints fold, on hands and necks, or the folds of cloth, at elbows and knees.
+ * Lays the wrinkle lines of skin that joints fold, on hands, necks, elbows and knees, or the folds of cloth, at elbows and knees.
  *
  * @param maxAreas maximum number of regions. The least important ones are dropped.
  */
@@ -159,7 +160,11 @@ function plansOf(limb: LimbSkin, { hands, neck, limbs }: Limbs, settings: JointS
     const own = [...handRegions(limb, hand, frame, settings), ...wristRegions(limb, hand, frame, settings)]
     return own.map((plan, i) => ({ ...plan, pair: `${own.length} ${i}` }))
   })
-  const ofSkin: SkinPlan[] = [...ofHands, ...(neck ? neckRegions(limb, neck, settings) : [])]
+  const ofSkin: SkinPlan[] = [
+    ...ofHands,
+    ...(neck ? neckRegions(limb, neck, settings) : []),
+    ...skinHinges(limb, limbs, settings),
+  ]
   return ofSkin.map((plan) => ({
     ...plan,
     crease: (tensors) => {

@@ -46,17 +46,22 @@ export function cylinderChart(
   )
 }
 
-/** Returns guides for creases across a limb, with random variation. */
+/**
+ * Returns guides for creases across a limb, with random variation.
+ *
+ * @param varied factor on the variation of positions. Creases of an arm vary more than those of a finger.
+ */
 export function arcGuides(
   chart: LimbChart,
   arcs: readonly ArcCrease[],
   size: number,
   rng: Rng,
   style: Partial<LineStyle> = {},
+  varied = 1,
 ): LimbGuide[] {
   return arcs.map((arc) => {
-    const shift = rng.jitter(VARIED.shift)
-    const bow = arc.bow + rng.jitter(VARIED.bow)
+    const shift = varied * rng.jitter(VARIED.shift)
+    const bow = arc.bow + varied * rng.jitter(VARIED.bow)
     const [from, to] = [-arc.span * rng.uniform(0.88, 1.06), arc.span * rng.uniform(0.88, 1.06)]
     const [width, depth] = [1 + rng.jitter(VARIED.width), 1 - VARIED.depth * rng.next()]
     const seed = rng.integer()
@@ -65,7 +70,7 @@ export function arcGuides(
       path: (t) => {
         const angle = from + (to - from) * t
         const share = angle / arc.span
-        const wave = WAVES.height * noise(WAVES.count * t, seed)
+        const wave = varied * WAVES.height * noise(WAVES.count * t, seed)
         return [angle, size * (arc.along + shift + bow * (1 - share * share) + wave)]
       },
       style: { ...STYLE, ...style, width: size * arc.width * width, depth: arc.depth * depth },
