@@ -84,7 +84,7 @@ test('a character with a face and a hand gets wrinkles from blendshapes and from
 
 test('a glove gets nothing, and the command says why', async () => {
   const path = await write('glove.glb', (document) => rename(document, 'Glove'))
-  await at.fails('cloth folds at elbows and knees only', 'auto', path, '-o', at.path('out.glb'))
+  await at.fails('cloth folds at elbows, knees and waists only', 'auto', path, '-o', at.path('out.glb'))
 })
 
 test('inspect prints what is skin, and why', async () => {

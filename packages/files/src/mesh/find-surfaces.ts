@@ -97,7 +97,7 @@ function noteOf({ surface: { meshName, materialName, limbs } }: JudgedSurface): 
 function clothNote(cloth: readonly JudgedSurface[]): string[] {
   if (cloth.length === 0) return []
   const names = cloth.map(({ surface }) => `"${surface.meshName}"`).join(', ')
-  return [`cloth folds at elbows and knees only, so it gets no folds: ${names}`]
+  return [`cloth folds at elbows, knees and waists only, so it gets no folds: ${names}`]
 }
 
 function nothingFound(

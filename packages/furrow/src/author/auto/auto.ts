@@ -263,7 +263,7 @@ export function strokesOf({
 
 function emptyReasonOf({ isUnknownHead, names }: PreparedSkin, isTooYoung: boolean): string {
   if (isTooYoung) return `the chosen regions only bulge above the age of ${BULGES_FROM} years`
-  if (names.length === 0) return 'no joint of a hand, a neck, an elbow or a knee folds the surface'
+  if (names.length === 0) return 'no joint of a hand, a neck, an elbow, a knee or a waist folds the surface'
   return isUnknownHead
     ? 'the mesh looks like a head, but no blendshapes show where its eyes and mouth are (blinks and smiles would)'
     : 'no blendshape compresses the skin enough to crease it'

@@ -34,6 +34,12 @@ export interface ClothTube {
    * like a fan from the crook.
    */
   fan(angle: number, along: number): number
+  /** Fraction of the compression that acts along the tube, 0..1. */
+  directed: number
+  /** Standard deviation of the random turn of the compression, as a slope. */
+  lean: number
+  /** Compression at which the cloth buckles. */
+  critical: number
   seed: number
 }
 
@@ -59,18 +65,14 @@ const SAMPLES = 9
 const MARGIN = 1
 /** Wavelength at which the equation is solved, because its coefficients hold for millimetres of skin. */
 export const SOLVED = 12
-/** Compression at which cloth buckles. */
-const CRITICAL = 0.06
-/** Fraction of the compression that acts along the tube. */
-const DIRECTED = 0.55
 /** Folds of strongly compressed cloth are closer than the wavelength at the onset of buckling, by this factor. */
 const CLOSER = 0.8
 /** Compression up to which folds take up the lost length. More would need folds that are deeper than wide. */
 const TAKEN_UP = 0.15
 /** Relative deviations of the wavelength and of the logarithm of the critical compression, and size of the irregularities in wavelengths. */
 const VARIATION = { wavelength: 0.26, critical: 0.45, size: 1.5 } as const
-/** Standard deviation of the random turn of the compression as a slope, and its size in wavelengths. Folds lean, meet and fork. */
-const LEAN = { slope: 0.34, size: 1.2 } as const
+/** Size of the random turns of the compression, in wavelengths. Folds lean, meet and fork. */
+const LEAN_SIZE = 1.2
 /** Standard deviation of the logarithm of a fold's share of the compression, and size of the variation in wavelengths. */
 const SHARE = { deviation: 0.75, size: 1.1 } as const
 /** Standard deviation, in wavelengths, of the Gaussian that compares taken up and lost length. */
@@ -105,7 +107,7 @@ export function buckleCloth(
   const shown = sampleValues(samples, Array.from(chart.points, tube.shown))
   const compression = sampleTensors(samples, tensors, axes)
   limitPrincipal(compression, softlyClamped)
-  direct(compression)
+  direct(compression, tube.directed)
   turn(samples, compression, tube)
   for (const part of compression) for (let i = 0; i < part.length; i++) part[i] *= weight[i]
   const { wavelength, heights } = solve(samples, compression, tube)
@@ -139,7 +141,11 @@ function tubeTriangles(
 }
 
 /** Solves the equation of buckling at the wavelength for which its coefficients hold, and scales the result back. */
-function solve(samples: ChartSamples, compression: Compression, { wavelength: lambda, seed }: ClothTube) {
+function solve(
+  samples: ChartSamples,
+  compression: Compression,
+  { wavelength: lambda, critical, seed }: ClothTube,
+) {
   const noise = filmNoise(seed)
   const scale = SOLVED / lambda
   const { grid, origin } = samples
@@ -155,7 +161,7 @@ function solve(samples: ChartSamples, compression: Compression, { wavelength: la
     compression,
     wavelength: relative.map((value) => (SOLVED * value) / CLOSER),
     critical: relative.map(
-      (_, i) => CRITICAL * exp(VARIATION.critical * noise(...flatPosition(samples, i), size, 3)),
+      (_, i) => critical * exp(VARIATION.critical * noise(...flatPosition(samples, i), size, 3)),
     ),
     noise,
   }
@@ -165,13 +171,13 @@ function solve(samples: ChartSamples, compression: Compression, { wavelength: la
   }
 }
 
-/** Turns a part of the compression to the direction along the tube, in place. Cloth slides around a limb more easily than it shears. */
-function direct([xx, xy, yy]: Compression): void {
+/** Turns a fraction of the compression to the direction along the tube, in place. */
+function direct([xx, xy, yy]: Compression, fraction: number): void {
   for (let i = 0; i < xx.length; i++) {
     const largest = (xx[i] + yy[i]) / 2 + length2((xx[i] - yy[i]) / 2, xy[i])
-    xx[i] *= 1 - DIRECTED
-    xy[i] *= 1 - DIRECTED
-    yy[i] = (1 - DIRECTED) * yy[i] + DIRECTED * largest
+    xx[i] *= 1 - fraction
+    xy[i] *= 1 - fraction
+    yy[i] = (1 - fraction) * yy[i] + fraction * largest
   }
 }
 
@@ -180,7 +186,7 @@ function turn(samples: ChartSamples, [xx, xy, yy]: Compression, tube: ClothTube)
   const noise = filmNoise(tube.seed + 31)
   for (let i = 0; i < xx.length; i++) {
     const [x, y] = flatPosition(samples, i)
-    const random = LEAN.slope * clamp(noise(x, y, LEAN.size * tube.wavelength, 4), -1.6, 1.6)
+    const random = tube.lean * clamp(noise(x, y, LEAN_SIZE * tube.wavelength, 4), -1.6, 1.6)
     const slope = random + tube.fan(x / tube.radius, y)
     const size = length2(1, slope)
     const [c, s] = [1 / size, slope / size]

@@ -5,12 +5,9 @@ import type { LimbSkin } from '../limbs/limb-skin.ts'
 import type { RegionPlan } from '../limbs/region-plan.ts'
 import { DEGREE } from '../limbs/turn.ts'
 import type { HingedLimb } from '../skeleton/humanoid.ts'
-import { clothCreases } from './cloth-creases.ts'
-import { buckleCloth } from './cloth-film.ts'
 import { CLOTHS, type ClothKind } from './cloth-kinds.ts'
-import { fitHeights } from './fit-heights.ts'
+import { layFolds, MAX_HEIGHT } from './lay-folds.ts'
 import { crushMask, hemMask } from './masks.ts'
-import { traceRidges } from './ridges.ts'
 import { tensionLines } from './tension-lines.ts'
 
 /** Angle from the crook, in degrees, up to which the cloth folds completely, and at which the folds end: at the tip of the elbow. */
@@ -21,8 +18,12 @@ const ALONG = [2.1, 3.2] as const
 const HALVES = [0.72, 0.8] as const
 /** Spread of the folds from the crook: they lean away from the hinge towards the tip of the elbow or the front of the knee. */
 const FAN = 0.3
-/** Maximum height of a fold in wavelengths. Neighbouring cloth and the body limit it. */
-const MAX_HEIGHT = 0.3
+/** Fraction of the compression that acts along the limb. Cloth slides around a limb more easily than it shears. */
+const DIRECTED = 0.55
+/** Standard deviation of the random turn of the compression, as a slope. */
+const LEAN = 0.34
+/** Compression at which the cloth buckles. */
+const CRITICAL = 0.06
 /** Share of a limb's own joints from which on cloth begins to belong to the limb. */
 const FROM = 0.35
 
@@ -46,7 +47,6 @@ function regionOf(
   { seed, strength, cloth }: { seed: number; strength: number; cloth: ClothKind },
 ): RegionPlan | undefined {
   const { kind, hinge, axis, lengths } = hinged
-  const { surface } = limb.prepared
   const { joints } = limb.skeleton
   const around = placesAround(limb, hinged)
   if (!around) return undefined
@@ -78,6 +78,9 @@ function regionOf(
     weight,
     shown: (point: number) => crushed[point],
     wavelength,
+    directed: DIRECTED,
+    lean: LEAN,
+    critical: CRITICAL,
     fan: (angle: number, along: number) =>
       (-FAN * (along / radius) * smoothstep((Math.PI - Math.abs(angle)) / 0.8) * clamp(angle / 0.2, -1, 1)) /
       (1 + FAN * Math.abs(angle)),
@@ -96,13 +99,6 @@ function regionOf(
     links: [{ turn, rest: 0, full: 1 }],
     pair: kind,
     rank: 6,
-    crease: (tensors) => {
-      const buckled = buckleCloth(surface, tube, tensors)
-      if (!buckled) return undefined
-      const ridges = [...traceRidges(buckled, wavelength), ...tensionLines(buckled.samples, tube)]
-      const heights = fitHeights(buckled, ridges, { wavelength, limit: MAX_HEIGHT * wavelength })
-      const scaled = heights.map((own) => own.map((height) => strength * height))
-      return clothCreases(limb.prepared, { cloth: buckled, ridges, heights: scaled })
-    },
+    crease: (tensors) => layFolds(limb, tube, tensors, strength, tensionLines),
   }
 }

@@ -2,6 +2,7 @@ import type { BoneDriver } from '../../../drivers/bone/definition.ts'
 import { length } from '../../../math/vector.ts'
 import type { ClothKind } from '../cloth/cloth-kinds.ts'
 import { hingeRegions } from '../cloth/hinge-regions.ts'
+import { trunkRegions } from '../cloth/trunk-regions.ts'
 import { makeGauge, measureCompression, vectorsAcross } from '../fit/gauge.ts'
 import { type HandFrame, handFrame } from '../limbs/hand-frame.ts'
 import { handRegions } from '../limbs/hand-regions.ts'
@@ -12,11 +13,11 @@ import { neckRegions } from '../limbs/neck-regions.ts'
 import { widened } from '../limbs/observed.ts'
 import type { RegionPlan, SkinPlan } from '../limbs/region-plan.ts'
 import { skinHinges } from '../limbs/skin-hinges.ts'
-import { type TurnedSkin, turnDisplacements, turnSkin, turnTensors } from '../limbs/turn.ts'
+import { type TurnedSkin, turnDisplacements, turnSkin, turnTensors, weightedTurn } from '../limbs/turn.ts'
 import { wristRegions } from '../limbs/wrist-regions.ts'
 import { type CreasedRegion, creaseLines, type LineSettings } from '../lines/crease.ts'
 import { findBody } from '../skeleton/body.ts'
-import type { HandJoints, HingedLimb, NeckJoints } from '../skeleton/humanoid.ts'
+import type { HandJoints, HingedLimb, NeckJoints, TrunkJoints } from '../skeleton/humanoid.ts'
 import type { PreparedSkin } from '../surface/prepare-skin.ts'
 
 /** Region of skin that joints fold, with the drivers of its area. */
@@ -45,7 +46,7 @@ const SMOOTHING = 0.35
 const FRACTIONS = [0.125, 0.25, 0.5, 0.75, 1]
 
 /**
- * Lays the wrinkle lines of skin that joints fold, on hands, necks, elbows and knees, or the folds of cloth, at elbows and knees.
+ * Lays the wrinkle lines of skin that joints fold, on hands, necks, elbows and knees, or the folds of cloth, at elbows, knees and waists.
  *
  * @param maxAreas maximum number of regions. The least important ones are dropped.
  */
@@ -101,15 +102,16 @@ interface Limbs {
   hands: { hand: HandJoints; frame: HandFrame }[]
   neck: NeckJoints | undefined
   limbs: readonly HingedLimb[]
+  trunk: TrunkJoints | undefined
 }
 
 function limbsIn(limb: LimbSkin): Limbs {
-  const { hands, neck, limbs } = findBody(limb.skeleton)
+  const { hands, neck, limbs, trunk } = findBody(limb.skeleton)
   const framed = hands.flatMap((hand) => {
     const frame = handFrame(limb, hand)
     return frame ? [{ hand, frame }] : []
   })
-  return { hands: framed, neck, limbs }
+  return { hands: framed, neck, limbs, trunk }
 }
 
 /** Drops links to joints whose rotation cannot be measured, because their matrix has no volume. */
@@ -133,6 +135,7 @@ class StrainCache {
   readonly #runs: number
   #turned: TurnedSkin | undefined
   #looseness = 0
+  #moved: RegionPlan['moved']
   #tensors: Float64Array | undefined
 
   constructor(limb: LimbSkin, runs: number) {
@@ -140,22 +143,36 @@ class StrainCache {
     this.#runs = runs
   }
 
-  of({ turn, looseness, strained = 1 }: RegionPlan): { turned: TurnedSkin; tensors: Float64Array } {
+  of({ turn, looseness, moved, strained = 1 }: RegionPlan): { turned: TurnedSkin; tensors: Float64Array } {
     const before = this.#turned
-    const isKnown = before && this.#looseness === looseness && `${before.turn.joints}` === `${turn.joints}`
+    const isKnown =
+      before &&
+      this.#looseness === looseness &&
+      this.#moved === moved &&
+      `${before.turn.joints}` === `${turn.joints}`
     const isSameTurn = isKnown && `${before.turn.axis} ${before.turn.full}` === `${turn.axis} ${turn.full}`
-    const turned = isKnown ? { ...before, turn } : turnSkin(this.#limb, turn, looseness, this.#runs)
+    const spread = () =>
+      moved ? weightedTurn(this.#limb, turn, moved) : turnSkin(this.#limb, turn, looseness, this.#runs)
+    const turned = isKnown ? { ...before, turn } : spread()
     if (!this.#tensors || !isSameTurn)
       this.#tensors = turnTensors(this.#limb, turned, strained, SMOOTHING * looseness, this.#runs)
     this.#turned = turned
     this.#looseness = looseness
+    this.#moved = moved
     return { turned, tensors: this.#tensors }
   }
 }
 
-function plansOf(limb: LimbSkin, { hands, neck, limbs }: Limbs, settings: JointSettings): RegionPlan[] {
+function plansOf(
+  limb: LimbSkin,
+  { hands, neck, limbs, trunk }: Limbs,
+  settings: JointSettings,
+): RegionPlan[] {
   const { cloth, strength } = settings
-  if (cloth !== undefined) return hingeRegions(limb, limbs, { seed: settings.seed, strength, cloth })
+  if (cloth !== undefined) {
+    const ofCloth = { seed: settings.seed, strength, cloth }
+    return [...hingeRegions(limb, limbs, ofCloth), ...(trunk ? trunkRegions(limb, trunk, ofCloth) : [])]
+  }
   const ofHands = hands.flatMap(({ hand, frame }) => {
     const own = [...handRegions(limb, hand, frame, settings), ...wristRegions(limb, hand, frame, settings)]
     return own.map((plan, i) => ({ ...plan, pair: `${own.length} ${i}` }))

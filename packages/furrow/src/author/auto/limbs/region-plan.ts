@@ -10,6 +10,8 @@ export interface JointLink {
   rest: number
   /** Activation at the full angle, 0..1. Less than `rest` for skin that the turn stretches. */
   full: number
+  /** Fraction of the full angle up to which the surface does not fold, because it has slack; default: 0. */
+  slack?: number
 }
 
 /** Part of a limb with its own area of influence, before its lines are laid. */
@@ -18,6 +20,12 @@ export interface RegionPlan extends Omit<SkinRegion, 'cause'> {
   turn: JointTurn
   /** Standard deviation, in millimetres, of the diffusion of skin weights: half the radius of the limb. */
   looseness: number
+  /**
+   * Returns the weight of a turned joint with everything below it at a point, 0..1. Default: the skin weights, diffused over `looseness`.
+   *
+   * @param k index into the joints of the turn.
+   */
+  moved?: (k: number, point: number) => number
   /** Fraction of the full angle at which the strain is measured; default: 1. */
   strained?: number
   /** Links to joints. The activations of several links add up. */

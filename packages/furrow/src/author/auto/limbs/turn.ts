@@ -12,6 +12,8 @@ export const DEGREE = Math.PI / 180
 export interface JointTurn {
   /** Turned joints, parents first; at most `TENSOR_SIZE`. */
   joints: readonly number[]
+  /** Positions about which the joints turn; default: their own. */
+  centres?: readonly Vector[]
   /** Joint relative to which drivers measure the rotation of the last turned joint. */
   from: number
   /** Unit axis in the coordinates of the surface. */
@@ -42,6 +44,18 @@ export function turnSkin(limb: LimbSkin, turn: JointTurn, sigma: number, runs: n
     for (let i = 0; i < own.length; i++) weights[TENSOR_SIZE * i + k] = own[i]
   }
   smooth(surface, weights, sigma, runs)
+  return { turn, weights }
+}
+
+/** Weights the joints of a turn by a function. */
+export function weightedTurn(
+  { prepared: { surface } }: LimbSkin,
+  turn: JointTurn,
+  moved: (k: number, point: number) => number,
+): TurnedSkin {
+  const weights = new Float64Array(TENSOR_SIZE * surface.areas.length)
+  for (let point = 0; point < surface.areas.length; point++)
+    for (let k = 0; k < turn.joints.length; k++) weights[TENSOR_SIZE * point + k] = moved(k, point)
   return { turn, weights }
 }
 
@@ -90,7 +104,7 @@ export function turnTensors(
 
 /** Returns the motion of each turned joint as a dual quaternion: w, x, y, z of the real part, then of the dual part. */
 function dualPoses(
-  { joints, axis, full }: JointTurn,
+  { joints, axis, full, centres }: JointTurn,
   places: readonly Vector[],
   fraction: number,
 ): Float64Array[] {
@@ -99,9 +113,9 @@ function dualPoses(
   const turn = Float64Array.of(w, s * axis[0], s * axis[1], s * axis[2])
   let q: Float64Array = Float64Array.of(1, 0, 0, 0)
   let t = [0, 0, 0]
-  return joints.map((joint) => {
+  return joints.map((joint, k) => {
     // Rotation about the joint: p -> turn (p - c) + c, followed by the motion of the joint above.
-    const c = places[joint]
+    const c = centres?.[k] ?? places[joint]
     const moved = rotated(q, c)
     const centre = [0, 1, 2].map((k) => moved[k] + t[k])
     q = multiplied(q, turn)

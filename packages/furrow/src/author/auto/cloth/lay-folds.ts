@@ -1,0 +1,34 @@
+import type { ChartSamples } from '../buckling/sample-chart.ts'
+import type { LimbSkin } from '../limbs/limb-skin.ts'
+import type { RegionCreases } from '../lines/crease.ts'
+import { clothCreases } from './cloth-creases.ts'
+import { buckleCloth, type ClothTube } from './cloth-film.ts'
+import { fitHeights } from './fit-heights.ts'
+import { type Ridge, traceRidges } from './ridges.ts'
+
+/** Maximum height of a fold in wavelengths. Neighbouring cloth and the body limit it. */
+export const MAX_HEIGHT = 0.3
+
+/**
+ * Lets the cloth of a tube buckle, and converts its folds to strokes.
+ *
+ * @param tensors result of `turnTensors`.
+ * @param strength factor on the heights.
+ * @param more returns further lines on the chart.
+ * @returns undefined if the mesh has no cloth there.
+ */
+export function layFolds(
+  { prepared }: LimbSkin,
+  tube: ClothTube,
+  tensors: Float64Array,
+  strength: number,
+  more: (samples: ChartSamples, tube: ClothTube) => Ridge[] = () => [],
+): RegionCreases | undefined {
+  const { wavelength } = tube
+  const cloth = buckleCloth(prepared.surface, tube, tensors)
+  if (!cloth) return undefined
+  const ridges = [...traceRidges(cloth, wavelength), ...more(cloth.samples, tube)]
+  const heights = fitHeights(cloth, ridges, { wavelength, limit: MAX_HEIGHT * wavelength })
+  const scaled = heights.map((own) => own.map((height) => strength * height))
+  return clothCreases(prepared, { cloth, ridges, heights: scaled })
+}
