@@ -1,6 +1,7 @@
 import { join } from 'node:path'
 import type { AutoArea, AutoWrinkles } from 'furrow/author'
 import { type Cost, kilobytes } from 'furrow-files'
+import { CHARACTER_LIMITS } from './character-limits.ts'
 import type { WrinkledSurface } from './wrinkle-surface.ts'
 
 interface Outputs {
@@ -21,6 +22,11 @@ export function summaryOf(
     file: output,
     ...(report !== undefined && { report: join(report, 'index.html') }),
     bytes,
+    total: {
+      areas: made.reduce((sum, { wrinkles }) => sum + areaCount(wrinkles), 0),
+      file: made.reduce((sum, { cost }) => sum + cost.file, 0),
+      gpu: made.reduce((sum, { cost }) => sum + cost.gpu, 0),
+    },
     isFace: wrinkles.landmarks !== undefined,
     symmetry,
     ...surfaceSummary(made[0]),
@@ -60,6 +66,10 @@ function surfaceSummary({ found, wrinkles, cost }: WrinkledSurface) {
   }
 }
 
+function areaCount(wrinkles: AutoWrinkles): number {
+  return wrinkles.areas.length + wrinkles.jointAreas.length + areasWithoutLines(wrinkles).length
+}
+
 /** Returns the names of areas that only change skin colour, only raise the skin, or contain only fine furrows. */
 function areasWithoutLines({ blood, bulges, furrows }: AutoWrinkles): string[] {
   return [...blood.areas, ...bulges, ...(furrows?.areas ?? [])].map(({ name }) => name)
@@ -74,7 +84,8 @@ export function summaryLines(made: readonly WrinkledSurface[], { output, report,
   const advice = `${ktx2 ? 'fewer --layers' : '--ktx2'} or a smaller --size saves memory`
   const total = (size: keyof Cost) => kilobytes(made.reduce((sum, { cost }) => sum + cost[size], 0))
   const onPhone = ktx2 ? ` (${total('phone')} on a phone, as ASTC)` : ''
-  const sizes = `wrinkles: ${total('file')} in the file, ${total('gpu')} on the GPU${onPhone}; ${advice}`
+  const areas = made.reduce((sum, { wrinkles }) => sum + areaCount(wrinkles), 0)
+  const sizes = `in total ${areas} of at most ${CHARACTER_LIMITS.areas} areas; wrinkles: ${total('file')} in the file, ${total('gpu')} on the GPU${onPhone}; ${advice}`
   return [...made.flatMap((surface) => surfaceLines(surface, output)), sizes, ...page, OTHER_TOOLS]
 }
 
@@ -82,7 +93,7 @@ function surfaceLines({ found, wrinkles }: WrinkledSurface, output: string): str
   const { meshName, materialName, reason } = found
   const { layers, areas, jointAreas, missing, seed } = wrinkles
   const others = areasWithoutLines(wrinkles)
-  const count = areas.length + jointAreas.length + others.length
+  const count = areaCount(wrinkles)
   const head = `${output}: mesh "${meshName}", material "${materialName}" (${reason}); layers: ${layers.length}; areas: ${count}; seed: ${seed}`
   const rows = areas.map((area) => {
     const links = area.driver.targets.map(({ name: target, weight }) => `${target} ${weight ?? 1}`)

@@ -18,6 +18,7 @@ import {
   withCommandErrors,
 } from 'furrow-files'
 import { packAuto } from 'furrow-files/node'
+import { CharacterBudget, surfaceArea } from './character-limits.ts'
 import type { Steps } from './steps.ts'
 
 const WITHOUT_NORMALS = 'the mesh has no normals; smooth normals were added, because wrinkles need them'
@@ -29,6 +30,13 @@ export interface WrinkledSource {
   /** `glb`, decoded. */
   document: Awaited<ReturnType<typeof documentOf>>
   who: string
+}
+
+/** File, with the limits of its character. */
+interface CharacterSource extends WrinkledSource {
+  /** Random seeds of the wrinkles that the surfaces had. */
+  seeds: ReadonlyMap<FoundSkin, number | undefined>
+  budget: CharacterBudget
 }
 
 export interface SurfaceSettings {
@@ -54,16 +62,22 @@ export interface WrinkledSurfaces {
 }
 
 /**
- * Makes wrinkles for the surfaces of a file, and embeds them.
+ * Makes wrinkles for the surfaces of a file, and embeds them. After the first surface, the largest ones come first, until the limits of a
+ * character are reached.
  *
  * @param steps get the steps of the first surface. The other surfaces belong to the step `encoding`.
  */
 export async function wrinkleSurfaces(
-  source: WrinkledSource,
-  [first, ...others]: readonly FoundSkin[],
+  file: WrinkledSource,
+  [first, ...smaller]: readonly FoundSkin[],
   settings: SurfaceSettings,
   steps: Steps,
 ): Promise<WrinkledSurfaces> {
+  const surfaces = [first, ...smaller]
+  const seeds = new Map(surfaces.map((found) => [found, seedIn(file.glb, found, file.who)]))
+  if (settings.replace) stripAll(file, surfaces)
+  const source = { ...file, seeds, budget: new CharacterBudget() }
+  const others = [...smaller].sort((a, b) => surfaceArea(b.skin) - surfaceArea(a.skin))
   const [made, failed]: [WrinkledSurface[], WrinkledSurfaces['failed']] = [[], []]
   const add = (found: FoundSkin, result: WrinkledSurface | string) => {
     if (typeof result === 'string') failed.push({ found, reason: result })
@@ -88,16 +102,16 @@ export async function wrinkleSurfaces(
  * @returns the reason, a clause for a message, if the surface gets no wrinkles.
  */
 async function wrinkleSurface(
-  { glb, document, who }: WrinkledSource,
+  { glb, document, who, seeds, budget }: CharacterSource,
   found: FoundSkin,
-  { options, ktx2, replace }: SurfaceSettings,
+  { options, ktx2 }: SurfaceSettings,
   progress: AutoProgress,
   encoding: () => void = () => {},
 ): Promise<WrinkledSurface | string> {
-  const { corrections, problem } = correctionsIn(glb.json, found.material, 'a correction is left out')
-  const seed = options.seed ?? seedIn(glb, found, who)
-  removeOldWrinkles(glb, found, replace, who)
-  const skinWarnings = problem === undefined ? [] : [problem]
+  const { corrections, problem: fault } = correctionsIn(glb.json, found.material, 'a correction is left out')
+  const seed = options.seed ?? seeds.get(found)
+  checkPlain(glb, found, who)
+  const skinWarnings = fault === undefined ? [] : [fault]
   if (addNormals(glb, document, found.mesh) > 0) skinWarnings.push(WITHOUT_NORMALS)
   skinWarnings.push(...faceWarnings(glb.json, found, found.materialName, who))
   const frame = found.hasTangents ? 'orthonormal' : 'derivative'
@@ -116,6 +130,8 @@ async function wrinkleSurface(
   if (wrinkles.emptyReason !== undefined) return wrinkles.emptyReason
   encoding()
   const packed = await packAuto(wrinkles, ktx2, who)
+  const problem = budget.add(packed)
+  if (problem !== undefined) return problem
   embedWrinkles(glb, found.material, { ...packed, shapes: corrections }, who)
   const cost = costOf(await inspectWrinkles(parseWrinkledFile(glb, found.material, who), who), ktx2)
   return { found, wrinkles, cost, warnings: [...wrinkles.warnings, ...skinWarnings] }
@@ -123,7 +139,7 @@ async function wrinkleSurface(
 
 /** Makes wrinkles for a further surface, without fine furrows. An error costs only this surface its wrinkles. */
 async function wrinkleOther(
-  source: WrinkledSource,
+  source: CharacterSource,
   found: FoundSkin,
   { options, ...settings }: SurfaceSettings,
   progress: AutoProgress,
@@ -139,7 +155,7 @@ async function wrinkleOther(
 
 /** Returns the random seed that is stored with the wrinkles of a material. Wrinkles that are not valid have none. */
 function seedIn(glb: Glb, { material }: FoundSkin, who: string): number | undefined {
-  if (glb.json.materials![material].extensions?.[WRINKLE_MAPS] === undefined) return undefined
+  if (!isWrinkled(glb, material)) return undefined
   try {
     return strokesIn(parseWrinkledFile(glb, material, who), who).strokes?.seed
   } catch (error) {
@@ -148,18 +164,23 @@ function seedIn(glb: Glb, { material }: FoundSkin, who: string): number | undefi
   }
 }
 
-/** Removes existing wrinkles from a material if `replace` is true. Otherwise throws if the material has wrinkles. */
-function removeOldWrinkles(
-  glb: Glb,
-  { material, materialName }: FoundSkin,
-  replace: boolean,
-  who: string,
-): void {
-  if (glb.json.materials![material].extensions?.[WRINKLE_MAPS] === undefined) return
-  if (replace) {
-    stripWrinkles(glb, material, who)
-    return
+/** Removes the wrinkles of all surfaces. The last ones in the file go first, because only the end of a list can be cut off. */
+function stripAll({ glb, who }: WrinkledSource, surfaces: readonly FoundSkin[]): void {
+  const firstTexture = (material: number) => {
+    const [{ normalTexture }] = parseWrinkledFile(glb, material, who).maps.layers
+    return normalTexture.index
   }
+  const materials = [...new Set(surfaces.map(({ material }) => material))].filter((i) => isWrinkled(glb, i))
+  const found = materials.map((material) => ({ material, at: firstTexture(material) }))
+  for (const { material } of found.sort((a, b) => b.at - a.at)) stripWrinkles(glb, material, who)
+}
+
+function isWrinkled({ json }: Glb, material: number): boolean {
+  return json.materials![material].extensions?.[WRINKLE_MAPS] !== undefined
+}
+
+function checkPlain(glb: Glb, { material, materialName }: FoundSkin, who: string): void {
+  if (!isWrinkled(glb, material)) return
   throw new FurrowError({
     who,
     problem: 'the material already has wrinkles',
