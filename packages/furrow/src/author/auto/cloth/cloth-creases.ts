@@ -11,6 +11,9 @@ import type { Ridge } from './ridges.ts'
 /** Maximum fraction by which the valley on one side of a crest may be nearer than the one on the other side. */
 const MAX_LEAN = 0.35
 
+/** Number of points of a crest per factor on the height of its stroke. */
+const POINTS = 3
+
 /** Folds of cloth before they are converted to strokes. */
 export interface ClothFolds {
   cloth: BuckledCloth
@@ -36,7 +39,7 @@ export function clothCreases(skin: StrokedSkin, { cloth, ridges, heights }: Clot
       line.relativeDepths ?? [1, 1],
       undefined,
       skin,
-      line.triangles.length,
+      Math.ceil(line.triangles.length / POINTS) + 1,
     ),
     // Bulges have no banks.
     shoulder: [0, 0] as [number, number],

@@ -29,6 +29,8 @@ export interface ClothTube {
   shown(point: number): number
   /** Distance between folds in millimetres. */
   wavelength: number
+  /** Number of samples of the cloth per wavelength. */
+  samples: number
   /**
    * Returns the slope by which the compression turns at a position: angle around the tube in radians, and distance along it. Folds spread
    * like a fan from the crook.
@@ -59,8 +61,6 @@ export interface BuckledCloth {
   wavelength: Float64Array
 }
 
-/** Number of samples per wavelength. */
-const SAMPLES = 9
 /** Distance between the cloth and its periodic copy, in wavelengths. */
 const MARGIN = 1
 /** Wavelength at which the equation is solved, because its coefficients hold for millimetres of skin. */
@@ -96,7 +96,7 @@ export function buckleCloth(
   const weights = Float64Array.from(surface.areas, (_, point) => tube.weight(point))
   const chart = placedChart(surface, tubeTriangles(surface, weights, placeAt, Math.PI * radius), placeAt)
   if (!chart) return undefined
-  const samples = sampleChart(chart, lambda / SAMPLES, MARGIN * lambda)
+  const samples = sampleChart(chart, lambda / tube.samples, MARGIN * lambda)
   const weight = sampleValues(
     samples,
     Array.from(chart.points, (point) => weights[point]),

@@ -20,6 +20,8 @@ const HALVES = [0.72, 0.8] as const
 const FAN = 0.3
 /** Fraction of the compression that acts along the limb. Cloth slides around a limb more easily than it shears. */
 const DIRECTED = 0.55
+/** Number of samples of the cloth per wavelength. */
+const SAMPLES = 9
 /** Standard deviation of the random turn of the compression, as a slope. */
 const LEAN = 0.34
 /** Compression at which the cloth buckles. */
@@ -78,6 +80,7 @@ function regionOf(
     weight,
     shown: (point: number) => crushed[point],
     wavelength,
+    samples: SAMPLES,
     directed: DIRECTED,
     lean: LEAN,
     critical: CRITICAL,

@@ -38,7 +38,7 @@ const FOLDS: readonly TrunkFold[] = [
     axis: [1, 0, 0],
     degrees: 60,
     middle: 0,
-    span: [48, 104],
+    span: [46, 98],
     along: [0.12, 0.62],
     directed: 0.55,
   },
@@ -48,7 +48,7 @@ const FOLDS: readonly TrunkFold[] = [
       axis: [0, 0, -side],
       degrees: 35,
       middle: 90 * side,
-      span: [60, 112],
+      span: [52, 98],
       along: [0.12, 0.68],
       directed: 0.55,
     }),
@@ -66,6 +66,8 @@ const FOLDS: readonly TrunkFold[] = [
   ),
 ]
 
+/** Number of samples of the cloth per wavelength. A trunk is so large that more would take seconds. */
+const SAMPLES = 7
 /** Standard deviation of the random turn of the compression, as a slope. */
 const LEAN = 0.18
 /** Compression at which the cloth buckles. Around a trunk, cloth has less slack than around an elbow. */
@@ -132,6 +134,7 @@ export function trunkRegions(
       },
       shown: () => 1,
       wavelength,
+      samples: SAMPLES,
       fan: () => 0,
       directed: fold.directed,
       lean: LEAN,
