@@ -90,6 +90,7 @@ test('a glove gets nothing, and the command says why', async () => {
 test('inspect prints what is skin, and why', async () => {
   await at.run('inspect', await write('hand.glb', () => {}))
   expect(at.printed).toContain('skin  skin      skin  the name of the material contains "skin"  left hand')
+  expect(at.printed).toMatch(/^skin +left hand +wrist\.L, finger1-\d\.L, .*\.\.\.$/m)
   expect(at.printed).toContain('generate wrinkles from its joints: furrow auto')
 })
 

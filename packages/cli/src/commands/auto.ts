@@ -226,11 +226,11 @@ async function auto(face: string, options: Options): Promise<void> {
         ...Object.fromEntries(byRegion),
       }
       const path = isStdout(output) ? face : output
-      const source = { path, glb, found, wrinkles, settings: listed, warnings }
-      const made = await makeReport(source, report, steps, WHO)
-      files.push(...made.files)
+      const source = { path, glb, found, wrinkles, surfaces: made, settings: listed, warnings }
+      const drawn = await makeReport(source, report, steps, WHO)
+      files.push(...drawn.files)
       steps.begin('writing')
-      if (made.missing) warnings.push(`${WHO}: the report has no pictures of the face (${made.missing})`)
+      if (drawn.missing) warnings.push(`${WHO}: the report has no pictures of the face (${drawn.missing})`)
     }
     await writeAll(files, WHO, replacing)
     return { made, bytes, texts, warnings }

@@ -26,7 +26,7 @@ import { print } from '../print.ts'
 
 const WHO = 'furrow inspect'
 
-/** Maximum number of blendshape names per mesh in the printed list. */
+/** Maximum number of blendshapes per mesh, and of joints per limb, in the printed lists. */
 const NAMES_LISTED = 4
 
 interface Options {
@@ -122,10 +122,19 @@ function describePlain(path: string, { meshes, surfaces, skin, shapes, next }: P
           ),
           '',
         ]),
+    ...creasedJoints(surfaces),
     ...(shapes.length === 0 ? [] : [...shapeTable(shapes), '']),
     ...(skin ? [`the skin is mesh "${skin.mesh}", material "${skin.material}" (${skin.reason})`] : []),
     next,
   ]
+}
+
+/** Lists the joints that would crease skin or fold cloth. */
+function creasedJoints(surfaces: PlainInspection['surfaces']): string[] {
+  const rows = surfaces.flatMap(({ mesh, creased }) =>
+    creased.map(({ limb, joints }) => [mesh, limb, shortened(joints)]),
+  )
+  return rows.length === 0 ? [] : [...table(['mesh', 'creases at', 'when these joints turn'], rows), '']
 }
 
 const EVIDENCE: Record<ShapeReport['by'], string> = {

@@ -5,7 +5,7 @@
 
 import { EXPRESSIONS, type Expression, findTargets } from 'furrow'
 import { ExpressionPlayer, type LoadedWrinkles, loadWrinkleSet } from 'furrow/three'
-import type { Mesh, Object3D } from 'three'
+import { type Mesh, type Object3D, Quaternion } from 'three'
 import type { WebGPURenderer } from 'three/webgpu'
 import type { Face } from '../../../../stage/face.ts'
 import { isWebGL } from '../../../../stage/light.ts'
@@ -42,6 +42,8 @@ interface Scene {
   loaded: Pick<LoadedWrinkles, 'set' | 'drivers'> | null
   /** Blendshape weights that the file sets. */
   initialWeights: Map<Mesh, readonly number[]>
+  /** Rotations that the file sets. */
+  restRotations: Map<Object3D, Quaternion>
 }
 
 let scene: Scene | undefined
@@ -53,8 +55,9 @@ async function draw(job: PageJob): Promise<PageReport> {
   warnings.length = 0
   // Creating lights, textures and shaders takes most of the time, so all images of a face share them.
   scene ??= await open(job)
-  const { stage, face, loaded, initialWeights } = scene
+  const { stage, face, loaded, initialWeights, restRotations } = scene
   for (const [mesh, weights] of initialWeights) mesh.morphTargetInfluences = [...weights]
+  poseJoints(restRotations, {})
   wrinkles?.dispose()
   const isNamed = ({ name }: Expression) => name === job.expression
   const preset = EXPRESSIONS.find(isNamed)
@@ -66,6 +69,8 @@ async function draw(job: PageJob): Promise<PageReport> {
     setTargets(face.root, preset?.targets ?? {})
   }
   setTargets(face.root, job.targets)
+  poseJoints(restRotations, job.joints)
+  face.root.updateMatrixWorld(true)
   stage.camera.aspect = width / height
   stage.view(job.view)
   // The face's size on screen in one frame decides whether the next frame has relief. So the image is drawn twice.
@@ -86,11 +91,13 @@ async function open(job: PageJob): Promise<Scene> {
   const loaded = file && { ...file, drivers: file.drivers.filter(({ type }) => type !== 'time') }
   stage.show(face)
   const initialWeights = new Map<Mesh, readonly number[]>()
+  const restRotations = new Map<Object3D, Quaternion>()
   face.root.traverse((object) => {
+    restRotations.set(object, object.quaternion.clone())
     const { morphTargetInfluences } = object as Mesh
     if (morphTargetInfluences) initialWeights.set(object as Mesh, [...morphTargetInfluences])
   })
-  return { stage, face, loaded, initialWeights }
+  return { stage, face, loaded, initialWeights, restRotations }
 }
 
 /**
@@ -120,6 +127,16 @@ function applyExpression(
     new ExpressionPlayer(root, wrinkles, [expression]).play(named.name, 0)
   }
   for (const [area, activation] of Object.entries(activations)) wrinkles.setActivation(area, activation)
+}
+
+/** Turns joints from their rest pose. All other objects return to theirs. */
+function poseJoints(rest: ReadonlyMap<Object3D, Quaternion>, joints: PageJob['joints']): void {
+  for (const [object, rotation] of rest) {
+    // The loader removes some characters from `name`.
+    const turn = joints[object.userData.name ?? object.name]
+    object.quaternion.copy(rotation)
+    if (turn) object.quaternion.multiply(new Quaternion(...turn))
+  }
 }
 
 function setTargets(root: Object3D, targets: Readonly<Record<string, number>>): void {

@@ -27,6 +27,9 @@ export interface CloseUpView {
   light: number
 }
 
+/** Rotation of a joint from its rest pose, in the joint's own frame: a unit quaternion. */
+export type JointRotation = readonly [x: number, y: number, z: number, w: number]
+
 export interface PictureRequest {
   /** Path of the face: `.glb`, `.gltf` or `.vrm`. */
   input: string
@@ -43,6 +46,8 @@ export interface PictureRequest {
   expression?: string
   /** Blendshape weights by name, 0..1. They override the expression. */
   targets?: Record<string, number>
+  /** Rotations of joints by name. */
+  joints?: Record<string, JointRotation>
   /** Activations by area, 0..1. They override the expression. */
   activations?: Record<string, number>
   /** Pixels. */

@@ -46,7 +46,7 @@ export async function preparePicture(
   readFace = faceReader(),
 ): Promise<PreparedPicture> {
   const face = resolve(request.input)
-  const job = { ...PICTURE_DEFAULTS, targets: {}, activations: {}, ...defined(request), face }
+  const job = { ...PICTURE_DEFAULTS, targets: {}, joints: {}, activations: {}, ...defined(request), face }
   if (job.expression !== undefined) {
     checkName(
       'expression',

@@ -44,17 +44,20 @@ type Candidate = Omit<FoundSkin, 'fraction' | 'reason'>
 
 /** Surface with the limbs that its joints move. */
 export interface LimbSurface extends FoundSkin {
-  /** Nouns for messages, see `limbsOf`. */
+  /** Nouns for messages, see `LimbJoints`. */
   limbs: readonly string[]
+  /** Names of the joints of each limb. */
+  limbJoints: readonly (readonly string[])[]
 }
 
 /** Lists all surfaces that could get wrinkles. */
 export function allSurfaces(document: Document, meshName?: string): LimbSurface[] {
   return candidatesIn(document, meshName).map((candidate) => {
-    const limbs = limbsOf(candidate.skin)
+    const found = limbsOf(candidate.skin)
+    const [limbs, limbJoints] = [found.map(({ limb }) => limb), found.map(({ joints }) => joints)]
     const reason =
       limbs.length > 0 ? `joints move it: ${limbs.join(', ')}` : 'no joints of a humanoid move it'
-    return { ...candidate, limbs, fraction: Number.NaN, reason }
+    return { ...candidate, limbs, limbJoints, fraction: Number.NaN, reason }
   })
 }
 

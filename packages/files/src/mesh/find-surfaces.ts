@@ -59,10 +59,14 @@ export function findSurfaces(
   return { surfaces, notes: [...unknown.map(noteOf), ...clothNote(unfolded)] }
 }
 
-/** Returns whether joints of the given limbs fold a surface: skin at all of them, and cloth at elbows, knees and waists. */
+/** Returns whether joints of any of the given limbs fold a surface. */
 export function isFoldedAs(kind: SurfaceKind | 'unknown' | undefined, limbs: readonly string[]): boolean {
-  if (kind === 'cloth') return limbs.some((limb) => /elbow|knee|waist/.test(limb))
-  return kind === 'skin' && limbs.some((limb) => limb !== 'waist')
+  return limbs.some((limb) => foldsLimb(kind, limb))
+}
+
+/** Returns whether the joints of a limb fold a surface: skin everywhere except the waist, and cloth at elbows, knees and waists. */
+export function foldsLimb(kind: SurfaceKind | 'unknown' | undefined, limb: string): boolean {
+  return kind === 'cloth' ? /elbow|knee|waist/.test(limb) : kind === 'skin' && limb !== 'waist'
 }
 
 interface JudgedSurface extends JudgedKind {

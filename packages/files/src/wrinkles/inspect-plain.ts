@@ -2,7 +2,7 @@ import type { Document } from '@gltf-transform/core'
 import type { Glb } from '../gltf/glb.ts'
 import { targetNamesOf } from '../json/gltf-json.ts'
 import { allSurfaces, bestSkin, type FoundSkin } from '../mesh/find-skin.ts'
-import { isFoldedAs } from '../mesh/find-surfaces.ts'
+import { foldsLimb, isFoldedAs } from '../mesh/find-surfaces.ts'
 import { judgeKind, type SurfaceKind } from '../mesh/surface-kind.ts'
 import { inspectShapes, type ShapeReport } from './inspect-shapes.ts'
 
@@ -23,6 +23,8 @@ export interface SurfaceReport {
   why: string
   /** Limbs that joints of the surface move, such as `left hand` and `left elbow`. */
   limbs: readonly string[]
+  /** Limbs at which `furrow auto` would draw creases or folds, with the names of their joints. */
+  creased: { limb: string; joints: readonly string[] }[]
 }
 
 export interface PlainInspection {
@@ -54,8 +56,11 @@ export function inspectPlain(
   const skin = bestSkin(all)
   const surfaces = all.map((surface): SurfaceReport => {
     const { kind = 'unknown', reason } = judgeKind(glb.json, surface)
-    const { meshName, materialName, limbs } = surface
-    return { mesh: meshName, material: materialName, kind, why: reason, limbs }
+    const { meshName, materialName, limbs, limbJoints } = surface
+    const creased = limbs.flatMap((limb, i) =>
+      foldsLimb(kind, limb) ? [{ limb, joints: limbJoints[i] }] : [],
+    )
+    return { mesh: meshName, material: materialName, kind, why: reason, limbs, creased }
   })
   const isMoved = skin !== undefined && skin.fraction > 0
   const report = {

@@ -3,8 +3,9 @@ import { basename, join } from 'node:path'
 import { encodeGlb, type Glb, type OutputFile, type Progress, parseWrinkledFile } from 'furrow-files'
 import { temporaryFolder } from '../../interruption.ts'
 import type { Steps } from '../steps.ts'
+import { type JointPose, jointPosesOf } from './joint-poses.ts'
 import { reportPage } from './page.ts'
-import { drawAreas, drawFaces, drawLayers, drawStrain } from './pictures.ts'
+import { drawAreas, drawFaces, drawJoints, drawLayers, drawStrain } from './pictures.ts'
 import { type Pose, posesOf } from './poses.ts'
 import type { ReportSource } from './report-source.ts'
 
@@ -34,7 +35,8 @@ export async function makeReport(
   const areas = await drawAreas(file, who)
   const layers = await drawLayers(file, who)
   steps.begin('pictures')
-  const faces = await drawFile(glb, poses, (done, total) => steps.part(done, total))
+  const jointPoses = jointPosesOf(source.surfaces)
+  const { faces, joints } = await drawFile(glb, poses, jointPoses, (done, total) => steps.part(done, total))
   const page = reportPage({
     ...source,
     title: basename(path),
@@ -43,24 +45,39 @@ export async function makeReport(
     areas,
     layers,
     faces,
+    jointPoses,
+    joints,
     times: steps.times(),
   })
-  const isDrawn = typeof faces !== 'string'
-  const images = [...strain, ...areas, ...layers.flat(), ...(isDrawn ? faces.flat() : [])]
+  const drawn = [faces, joints].flatMap((pictures) => (typeof pictures === 'string' ? [] : pictures.flat()))
+  const images = [...strain, ...areas, ...layers.flat(), ...drawn]
+  const missing = [faces, joints].find((pictures) => typeof pictures === 'string')
   const files = images.map(({ file: name, bytes }) => ({ path: join(folder, name), bytes }))
   return {
     files: [...files, { path: join(folder, 'index.html'), bytes: Buffer.from(page) }],
-    ...(!isDrawn && { missing: faces }),
+    ...(missing !== undefined && { missing }),
   }
 }
 
-/** Draws a face. Writes it to a temporary file first, because `drawFaces` reads a file. */
-async function drawFile(glb: Glb, poses: readonly Pose[], progress: Progress) {
+/** Draws expressions and poses of joints. Writes the file to a temporary folder first, because `drawFaces` and `drawJoints` read a file. */
+async function drawFile(
+  glb: Glb,
+  poses: readonly Pose[],
+  jointPoses: readonly JointPose[],
+  progress: Progress,
+) {
   const folder = temporaryFolder()
   try {
     const path = join(folder.path, 'face.glb')
     writeFileSync(path, encodeGlb(glb))
-    return await drawFaces(path, poses, progress)
+    const ofFaces = 2 * poses.length
+    const total = ofFaces + 3 * jointPoses.length
+    const faces = poses.length === 0 ? [] : await drawFaces(path, poses, (done) => progress(done, total))
+    const isMissing = typeof faces === 'string' || jointPoses.length === 0
+    const joints = isMissing
+      ? []
+      : await drawJoints(path, jointPoses, (done) => progress(ofFaces + done, total))
+    return { faces, joints }
   } finally {
     await folder.remove()
   }

@@ -1,8 +1,9 @@
-import type { AutoArea } from 'furrow/author'
+import type { AutoArea, JointArea } from 'furrow/author'
 import type { Landmarks, Place } from 'furrow/internal'
 import { htmlPage } from '../../html-page.ts'
 import { type Content, html, type Markup } from '../../markup.ts'
-import type { BeforeAndAfter, ReportImage } from './pictures.ts'
+import type { JointPose } from './joint-poses.ts'
+import type { BeforeAndAfter, ReportImage, RestAndBent } from './pictures.ts'
 import type { Pose } from './poses.ts'
 import type { ReportSource } from './report-source.ts'
 import { COLOUR_SCALE, MAX_COMPRESSION } from './strain-colours.ts'
@@ -17,35 +18,35 @@ export interface PageSource extends Omit<ReportSource, 'path' | 'glb'> {
   layers: readonly (readonly ReportImage[])[]
   /** Two images per pose, or the reason why the face could not be drawn. */
   faces: readonly BeforeAndAfter[] | string
+  jointPoses: readonly JointPose[]
+  /** Three images per pose of joints, or the reason why they could not be drawn. */
+  joints: readonly RestAndBent[] | string
   times: readonly { step: string; seconds: number }[]
 }
 
 /** Returns the HTML of the report of `furrow auto`. Its images are in the same folder. */
 export function reportPage(source: PageSource): string {
   const { title, wrinkles, poses } = source
-  const { layers, areas, targets, landmarks } = wrinkles
+  const { layers, areas, jointAreas, targets, landmarks } = wrinkles
+  const joints = new Set(jointAreas.flatMap(({ drivers }) => drivers.map(({ joints: [, joint] }) => joint)))
+  const causes = [
+    ...(targets.length > 0 ? [count(targets.length, 'blendshape')] : []),
+    ...(joints.size > 0 ? [count(joints.size, 'joint')] : []),
+  ]
   const body = html`<header>
 <h1>${title}</h1>
-<p>${count(areas.length, 'area')} on ${count(layers.length, 'layer')}, generated from ${count(targets.length, 'blendshape')} by
-<b>furrow auto</b>. ${landmarks ? 'A face was recognised.' : 'No face was recognised, so the lines follow only the compression of the skin.'}</p>
+<p>${count(areas.length + jointAreas.length, 'area')} on ${count(layers.length, 'layer')}, generated from ${causes.join(' and ')} by
+<b>furrow auto</b>. ${targets.length > 0 ? recognised(landmarks) : undefined}</p>
 ${warnings(source.warnings)}
 </header>
 <main>
-<section>
-<h2>Before and after</h2>
-${beforeAndAfter(source.faces, poses)}
-</section>
-<section>
-<h2>Skin compression</h2>
-<p>Largest relative shortening of the skin at each texel, in UV space.</p>
-${legend()}
-<div class="tiles">${poses.map((pose, i) => strainTile(pose, source.strain[i]))}</div>
-</section>
+${poses.length > 0 ? expressions(source) : undefined}
+${source.jointPoses.length > 0 ? jointSection(source) : undefined}
 <section>
 <h2>Areas</h2>
 <p>Compression: relative shortening of the skin across the lines, in the expression that drives the area. Error: root mean square
 difference between the driver’s activation and the measured activation over many poses, 0 to 1.</p>
-${areaTable(areas, source.areas)}
+${areaTable(areas, wrinkles.jointAreas, source.areas)}
 </section>
 <section>
 <h2>Layers</h2>
@@ -71,6 +72,41 @@ ${landmarks && landmarkFacts(landmarks)}
 </main>
 `
   return htmlPage({ title: `${title}: wrinkles by furrow auto`, style: STYLE }, body)
+}
+
+function recognised(landmarks: Landmarks | undefined): string {
+  return landmarks
+    ? 'A face was recognised.'
+    : 'No face was recognised, so the lines follow only the compression of the skin.'
+}
+
+function expressions({ faces, poses, strain }: PageSource): Markup {
+  return html`<section>
+<h2>Before and after</h2>
+${beforeAndAfter(faces, poses)}
+</section>
+<section>
+<h2>Skin compression</h2>
+<p>Largest relative shortening of the skin at each texel, in UV space.</p>
+${legend()}
+<div class="tiles">${poses.map((pose, i) => strainTile(pose, strain[i]))}</div>
+</section>`
+}
+
+function jointSection({ joints, jointPoses }: PageSource): Markup {
+  if (typeof joints === 'string' || joints.length === 0)
+    return html`<section><h2>Joints</h2><p class="missing">The joints were not drawn.${typeof joints === 'string' ? ` ${joints}.` : ''}</p></section>`
+  return html`<section>
+<h2>Joints</h2>
+<p>The largest areas that joints fold: at rest, bent without wrinkles, and bent with wrinkles.</p>
+<div class="pairs">${jointPoses.map(({ name, joint, degrees }, i) => {
+    const [rest, before, after] = joints[i]
+    return html`<figure>
+<div class="pair three">${image(rest, `${name}, at rest`)}${image(before, `${name}, bent, without wrinkles`)}${image(after, `${name}, bent, with wrinkles`)}</div>
+<figcaption><b>${name}</b><span class="chips"><span class="chip more">${joint} <b>${degrees}°</b></span></span></figcaption>
+</figure>`
+  })}</div>
+</section>`
 }
 
 function count(number: number, word: string): string {
@@ -113,9 +149,20 @@ function legend(): Markup {
 <p>${marks.map((mark) => html`<span>${mark}</span>`)}</p></div>`
 }
 
-function areaTable(areas: readonly AutoArea[], images: readonly ReportImage[]): Markup {
-  const rows = areas.map(({ name, layer, lines, compression, error, driver }, i) => {
+function areaTable(
+  areas: readonly AutoArea[],
+  jointAreas: readonly JointArea[],
+  images: readonly ReportImage[],
+): Markup {
+  const driven = areas.map(({ driver, ...area }) => {
     const links = [...driver.targets].sort((a, b) => (b.weight ?? 1) - (a.weight ?? 1))
+    return { ...area, links: links.map(({ name, weight }) => chip(name, weight ?? 1)) }
+  })
+  const turned = jointAreas.map(({ drivers, ...area }) => ({
+    ...area,
+    links: drivers.map(({ joints: [, joint] }) => html`<span class="chip">${joint}</span>`),
+  }))
+  const rows = [...driven, ...turned].map(({ name, layer, lines, compression, error, links }, i) => {
     return html`<tr>
 <td class="map">${image(images[i], `Area ${name} in UV space`)}</td>
 <th scope="row">${name}</th>
@@ -123,7 +170,7 @@ function areaTable(areas: readonly AutoArea[], images: readonly ReportImage[]): 
 <td data-label="Lines">${lines}</td>
 <td data-label="Compression">${(100 * compression).toFixed(0)}%</td>
 <td data-label="Error">${error.toFixed(2)}</td>
-<td class="links"><span class="chips">${links.map(({ name: target, weight }) => chip(target, weight ?? 1))}</span></td>
+<td class="links"><span class="chips">${links}</span></td>
 </tr>`
   })
   return html`<table>

@@ -4,8 +4,10 @@ import { strainMaps } from 'furrow/internal'
 import { type Progress, pixelsOf, type WrinkledFile, weightsOf } from 'furrow-files'
 import sharp from 'sharp'
 import { scaled, scaledWeights, skinOf, tinted } from '../../inspect/sheet.ts'
+import type { PictureRequest } from '../../render/picture.ts'
 import { type Picture, renderPictures } from '../../render/render-pictures.ts'
 import { changedRect, type Rect } from './changed-rect.ts'
+import type { JointPose } from './joint-poses.ts'
 import type { Pose } from './poses.ts'
 import { colourStrain } from './strain-colours.ts'
 
@@ -19,6 +21,7 @@ export interface ReportImage {
 
 // Sizes of images, pixels.
 const FACE = { width: 660, height: 880 }
+const JOINT = { width: 480, height: 480 }
 const STRAIN_SIDE = 512
 const AREA_SIDE = 256
 const MAX_MAP_SIDE = 1024
@@ -38,13 +41,8 @@ export async function drawFaces(
   const requests = poses.flatMap(({ targets }) =>
     (['off', 'default'] as const).map((mode) => ({ input: path, targets, mode, ...FACE })),
   )
-  let drawn: Picture[]
-  try {
-    drawn = await renderPictures(requests, progress)
-  } catch (error) {
-    if (error instanceof FurrowError) return error.message
-    throw error
-  }
+  const drawn = await drawnOrReason(requests, progress)
+  if (typeof drawn === 'string') return drawn
   const rect = changedRect(
     drawn.map(({ pixels }) => pixels),
     FACE.width,
@@ -57,6 +55,49 @@ export async function drawFaces(
     }),
   )
   return poses.map((_, i) => [images[2 * i], images[2 * i + 1]] as const)
+}
+
+/** Pictures of a pose of joints. */
+export type RestAndBent = readonly [rest: ReportImage, before: ReportImage, after: ReportImage]
+
+/**
+ * Draws the areas that joints fold: at rest, bent without wrinkles, and bent with wrinkles.
+ *
+ * @returns three images per pose, or the reason why the character could not be drawn.
+ */
+export async function drawJoints(
+  path: string,
+  poses: readonly JointPose[],
+  progress: Progress,
+): Promise<RestAndBent[] | string> {
+  const requests = poses.flatMap(({ mesh, joints, view }) =>
+    [
+      { joints: {}, mode: 'default' as const },
+      { joints, mode: 'off' as const },
+      { joints, mode: 'default' as const },
+    ].map((state) => ({ input: path, mesh, view, ...state, ...JOINT })),
+  )
+  const drawn = await drawnOrReason(requests, progress)
+  if (typeof drawn === 'string') return drawn
+  const images = await Promise.all(
+    drawn.map(({ pixels }, i) => {
+      const name = `joint-${['rest', 'before', 'after'][i % 3]}-${Math.floor(i / 3) + 1}`
+      return encode(name, pixels, JOINT.width, JOINT.height)
+    }),
+  )
+  return poses.map((_, i) => [images[3 * i], images[3 * i + 1], images[3 * i + 2]] as const)
+}
+
+async function drawnOrReason(
+  requests: readonly PictureRequest[],
+  progress: Progress,
+): Promise<Picture[] | string> {
+  try {
+    return await renderPictures(requests, progress)
+  } catch (error) {
+    if (error instanceof FurrowError) return error.message
+    throw error
+  }
 }
 
 /** Draws the compression of the skin in UV space, one image per pose. */

@@ -28,6 +28,8 @@ figcaption { padding-top: 8px; font-size: 14px; }
 .missing { padding: 14px 16px; border: 1px solid var(--line); border-radius: 8px; }
 .pairs { display: grid; grid-template-columns: repeat(2, minmax(0, 1fr)); gap: 28px 24px; }
 .pair { display: grid; grid-template-columns: 1fr 1fr; gap: 2px; }
+.pair.three { grid-template-columns: 1fr 1fr 1fr; }
+.pair.three a:nth-child(2) img { border-radius: 0; }
 .pair a:first-child img { border-radius: 6px 0 0 6px; }
 .pair a:last-child img { border-radius: 0 6px 6px 0; }
 .chips { display: flex; flex-wrap: wrap; gap: 2px 12px; font-size: 13px; color: var(--soft); }

@@ -1,14 +1,26 @@
 import type { Skin } from '../../skin/surface.ts'
 import { findBody } from './body.ts'
 
-/** Returns the parts of a humanoid that joints of a skin move, as nouns for messages: for example `left hand`, `neck`, `left elbow` and `waist`. */
-export function limbsOf({ skeleton }: Pick<Skin, 'skeleton'>): string[] {
+/** Part of a humanoid with the joints that fold its surface. */
+export interface LimbJoints {
+  /** Noun for messages: for example `left hand`, `neck`, `left elbow` and `waist`. */
+  limb: string
+  /** Names of joints. */
+  joints: string[]
+}
+
+/** Returns the parts of a humanoid that joints of a skin move. */
+export function limbsOf({ skeleton }: Pick<Skin, 'skeleton'>): LimbJoints[] {
   if (!skeleton) return []
   const { hands, neck, limbs, trunk } = findBody(skeleton)
+  const part = (limb: string, side: string | undefined, indices: readonly number[]) => ({
+    limb: side ? `${side} ${limb}` : limb,
+    joints: indices.map((i) => skeleton.joints[i].name),
+  })
   return [
-    ...hands.map(({ side }) => (side ? `${side} hand` : 'hand')),
-    ...(neck ? ['neck'] : []),
-    ...limbs.map(({ kind, side }) => (side ? `${side} ${kind}` : kind)),
-    ...(trunk ? ['waist'] : []),
+    ...hands.map(({ side, wrist, fingers }) => part('hand', side, [wrist, ...[...fingers.values()].flat()])),
+    ...(neck ? [part('neck', undefined, neck.chain)] : []),
+    ...limbs.map(({ kind, side, hinge }) => part(kind, side, [hinge])),
+    ...(trunk ? [part('waist', undefined, trunk.chain)] : []),
   ]
 }
