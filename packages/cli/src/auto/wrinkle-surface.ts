@@ -122,6 +122,7 @@ async function wrinkleSurface(
         ...options,
         ...(seed !== undefined && { seed }),
         ...(found.cloth !== undefined && { cloth: found.cloth, furrows: false }),
+        tubes: found.tubes ?? false,
         frame,
       },
       progress,

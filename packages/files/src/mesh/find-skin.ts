@@ -35,6 +35,8 @@ export interface FoundSkin {
   /** Whether blendshapes of brows, lids and mouth move the surface. */
   isFace?: boolean
   hasTangents: boolean
+  /** Whether the joints of chains fold the surface, see `AutoOptions`. */
+  tubes?: boolean
   /** Kind of cloth; undefined if the surface is skin. */
   cloth?: ClothKind
 }

@@ -47,29 +47,46 @@ export function findSurfaces(
   const surfaces: FoundSkin[] = []
   if (face) surfaces.push(isFolding(judged(document, face, kinds)) ? face : withoutSkeleton(face))
   const others = all.filter(({ surface }) => !isSame(surface, face) && surface.limbs.length > 0)
-  for (const { surface, kind } of others) {
-    if (!isFoldedAs(kind, surface.limbs)) continue
-    surfaces.push(kind === 'skin' ? surface : { ...surface, cloth: cloth ?? clothOf(surface) })
+  for (const { surface, kind, isStated } of others) {
+    if (!isFoldedAs(kind, surface.limbs, isStated)) continue
+    const found = { ...surface, tubes: isStated }
+    surfaces.push(kind === 'skin' ? found : { ...found, cloth: cloth ?? clothOf(surface) })
   }
   // `autoWrinkles` explains why blendshapes that move nothing give no wrinkles.
   if (surfaces.length === 0 && best && best.skin.targets.length > 0) surfaces.push(withoutSkeleton(best))
   const unknown = others.filter(({ kind }) => kind === undefined)
-  const unfolded = others.filter(({ kind, surface }) => kind === 'cloth' && !isFoldedAs(kind, surface.limbs))
+  const unfolded = others.filter(
+    ({ kind, surface, isStated }) => kind === 'cloth' && !isFoldedAs(kind, surface.limbs, isStated),
+  )
   if (surfaces.length === 0) throw nothingFound(document, path, who, mesh, unknown, unfolded)
   return { surfaces, notes: [...unknown.map(noteOf), ...clothNote(unfolded)] }
 }
 
 /** Returns whether joints of any of the given limbs fold a surface. */
-export function isFoldedAs(kind: SurfaceKind | 'unknown' | undefined, limbs: readonly string[]): boolean {
-  return limbs.some((limb) => foldsLimb(kind, limb))
+export function isFoldedAs(
+  kind: SurfaceKind | 'unknown' | undefined,
+  limbs: readonly string[],
+  isStated = false,
+): boolean {
+  return limbs.some((limb) => foldsLimb(kind, limb, isStated))
 }
 
-/** Returns whether the joints of a limb fold a surface: skin everywhere except the waist, and cloth at elbows, knees and waists. */
-export function foldsLimb(kind: SurfaceKind | 'unknown' | undefined, limb: string): boolean {
+/**
+ * Returns whether the joints of a limb fold a surface: skin everywhere except the waist, and cloth at elbows, knees and waists. Chains fold
+ * both, if the user stated the kind.
+ */
+export function foldsLimb(
+  kind: SurfaceKind | 'unknown' | undefined,
+  limb: string,
+  isStated = false,
+): boolean {
+  if (limb === 'chain') return isStated && (kind === 'skin' || kind === 'cloth')
   return kind === 'cloth' ? /elbow|knee|waist/.test(limb) : kind === 'skin' && limb !== 'waist'
 }
 
 interface JudgedSurface extends JudgedKind {
+  /** Whether the user stated the kind. */
+  isStated: boolean
   surface: LimbSurface
 }
 
@@ -78,7 +95,9 @@ function judged(
   surface: LimbSurface,
   kinds: ReadonlyMap<string, SurfaceKind>,
 ): JudgedSurface {
-  return { surface, ...judgeKind(sourceOf(document), surface, kinds) }
+  const { meshName, materialName } = surface
+  const isStated = kinds.has(meshName) || kinds.has(materialName)
+  return { surface, isStated, ...judgeKind(sourceOf(document), surface, kinds) }
 }
 
 /** Returns whether joints fold a surface that blendshapes move. A surface with brows, lids and a mouth is skin unless its name denies it. */

@@ -51,6 +51,11 @@ export interface AutoOptions {
   furrows?: boolean
   /** Kind of cloth, if the surface is cloth. Joints then fold it, and blendshapes do not. Default: the surface is skin. */
   cloth?: ClothKind
+  /**
+   * Whether the joints of chains fold the surface, such as those of a tail or a tentacle, if the skeleton is not a humanoid. Default: false,
+   * because skin of animals has fur.
+   */
+  tubes?: boolean
   /** Tangent frame of the normal maps; see `TangentFrame`. */
   frame?: TangentFrame
 }
@@ -69,6 +74,7 @@ export const AUTO_DEFAULTS = {
   areas: 24,
   regions: AUTO_REGIONS,
   furrows: false,
+  tubes: false,
   frame: 'orthonormal',
 } as const satisfies AutoOptions
 

@@ -178,8 +178,8 @@ interface Section {
 }
 
 /**
- * Measures the cross-section of the cloth. Its middle is the axis of the cylinder, because a spine is nearer to the back. Angles are those of a
- * circle that is stretched to the shape of the section by half, so that lengths around the trunk are the same at the front and at the sides.
+ * Measures the cross-section of the cloth. Its middle is the axis of the cylinder, because a spine is nearer to the back. Angles are
+ * those of a circle that is stretched half as much as the section. So lengths around the trunk are the same at the front and at the sides.
  */
 function sectionOf(
   { prepared: { surface } }: LimbSkin,

@@ -19,6 +19,7 @@ import { type CreasedRegion, creaseLines, type LineSettings } from '../lines/cre
 import { findBody } from '../skeleton/body.ts'
 import type { HandJoints, HingedLimb, NeckJoints, TrunkJoints } from '../skeleton/humanoid.ts'
 import type { PreparedSkin } from '../surface/prepare-skin.ts'
+import { clothTubes, skinTubes } from './tube-regions.ts'
 
 /** Region of skin that joints fold, with the drivers of its area. */
 export interface JointRegion extends CreasedRegion {
@@ -31,6 +32,8 @@ export interface JointRegion extends CreasedRegion {
 export interface JointSettings extends LineSettings {
   /** Kind of cloth; undefined for skin. */
   cloth?: ClothKind | undefined
+  /** Whether the joints of chains fold the surface, if the skeleton is not a humanoid. */
+  tubes: boolean
 }
 
 /** Wrinkles of skin that joints fold. */
@@ -169,9 +172,15 @@ function plansOf(
   settings: JointSettings,
 ): RegionPlan[] {
   const { cloth, strength } = settings
+  const isHumanoid = hands.length > 0 || limbs.length > 0 || neck !== undefined || trunk !== undefined
+  const hasTubes = settings.tubes && !isHumanoid
   if (cloth !== undefined) {
     const ofCloth = { seed: settings.seed, strength, cloth }
-    return [...hingeRegions(limb, limbs, ofCloth), ...(trunk ? trunkRegions(limb, trunk, ofCloth) : [])]
+    const ofLimbs = [
+      ...hingeRegions(limb, limbs, ofCloth),
+      ...(trunk ? trunkRegions(limb, trunk, ofCloth) : []),
+    ]
+    return hasTubes ? clothTubes(limb, cloth, settings) : ofLimbs
   }
   const ofHands = hands.flatMap(({ hand, frame }) => {
     const own = [...handRegions(limb, hand, frame, settings), ...wristRegions(limb, hand, frame, settings)]
@@ -181,6 +190,7 @@ function plansOf(
     ...ofHands,
     ...(neck ? neckRegions(limb, neck, settings) : []),
     ...skinHinges(limb, limbs, settings),
+    ...(hasTubes ? skinTubes(limb, settings) : []),
   ]
   return ofSkin.map((plan) => ({
     ...plan,

@@ -1,9 +1,10 @@
 import type { Skin } from '../../skin/surface.ts'
 import { findBody } from './body.ts'
+import { findBends } from './chains.ts'
 
 /** Part of a humanoid with the joints that fold its surface. */
 export interface LimbJoints {
-  /** Noun for messages: for example `left hand`, `neck`, `left elbow` and `waist`. */
+  /** Noun for messages: for example `left hand`, `neck`, `left elbow`, `waist`, and `chain` for other skeletons. */
   limb: string
   /** Names of joints. */
   joints: string[]
@@ -17,10 +18,12 @@ export function limbsOf({ skeleton }: Pick<Skin, 'skeleton'>): LimbJoints[] {
     limb: side ? `${side} ${limb}` : limb,
     joints: indices.map((i) => skeleton.joints[i].name),
   })
-  return [
+  const found = [
     ...hands.map(({ side, wrist, fingers }) => part('hand', side, [wrist, ...[...fingers.values()].flat()])),
     ...(neck ? [part('neck', undefined, neck.chain)] : []),
     ...limbs.map(({ kind, side, hinge }) => part(kind, side, [hinge])),
     ...(trunk ? [part('waist', undefined, trunk.chain)] : []),
   ]
+  const bends = found.length > 0 ? [] : findBends(skeleton).map(({ joint }) => joint)
+  return bends.length > 0 ? [part('chain', undefined, bends)] : found
 }
