@@ -43,6 +43,7 @@ const CHEEKS = { width: 1100, height: 1300, crop: { left: 300, top: 400, width: 
 const HAND = { width: 900, height: 900, crop: { left: 190, top: 130, width: 490, height: 660 } }
 const CLOTHES = { width: 640, height: 900, crop: { left: 60, top: 40, width: 520, height: 640 } }
 const AT_ELBOW = '&zoom=2.6&height=0.27&across=-0.1&view=-60'
+const AT_WAIST = '&zoom=1.75&height=0.05&across=0.06&view=-14'
 const AT_KNEE = '&zoom=2.2&height=-0.42&across=-0.12&view=-70'
 const FIST = { width: 1300, height: 1300, crop: { left: 440, top: 540, width: 460, height: 420 } }
 const NECK = { width: 900, height: 900, crop: { left: 270, top: 130, width: 450, height: 660 } }
@@ -144,7 +145,7 @@ export const FIGURES = {
         ...CLOTHES,
         page: `clothes.html?clip=sit&time=${time}${AT_KNEE}`,
       })),
-      { ...CLOTHES, page: 'clothes.html?clip=walk&time=0.25&view=-55' },
+      ...['bend&time=1.5', 'turn&time=4.5'].map((clip) => ({ ...CLOTHES, page: `clothes.html?clip=${clip}${AT_WAIST}` })),
     ].map((picture, i) => ({
       ...picture,
       page: picture.page + end,

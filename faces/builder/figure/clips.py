@@ -1,4 +1,4 @@
-"""Creates the animation clips of the figure: it walks, sits, reaches, makes fists and turns.
+"""Creates the animation clips of the figure: it walks, sits, reaches, makes fists, turns and bends.
 
 Angles are in degrees, about the x, y and z axes of each joint; see `turn` in `builder/joints/poses.py`. Positive
 rotations about x bend limbs, and move legs and the trunk forwards.
@@ -24,6 +24,9 @@ SIT |= {"lowerarm01": (72, 0, 0)}
 REACH = {"upperarm01": (58, 0, 0), "lowerarm01": (98, 0, 0), "shoulder01": (4, 0, 0)}
 TURN = {"spine04": (0, 9, 0), "spine03": (0, 11, 0), "spine02": (0, 11, 0), "neck01": (0, 8, 0), "neck02": (0, 10, 0)}
 TURN |= {"neck03": (0, 12, 0), "head": (0, 10, 0)}
+SPINE = ("spine05", "spine04", "spine03", "spine02")
+FORWARD = {joint: (11, 0, 0) for joint in SPINE}
+SIDEWAYS = {joint: (0, 0, 7) for joint in SPINE}
 # The arms of the bind pose point to the sides. At rest they hang.
 HANG = {"upperarm01": 27.0}  # degrees towards the body
 ELBOW = 30.0  # degrees by which the elbows of the bind pose are bent too much
@@ -39,11 +42,16 @@ def figure_clips(rig: Rig) -> dict[str, tuple]:
     mirrored = {joint.replace(".L", ".R"): _mirrored(turns) for joint, turns in fists.items()}
     bent = clip({f"lowerarm01.{side}": (84, 0, 0) for side in SIDES}, 1.4, 0.6)[1]
     fist = _whole(rig, seconds, {**fists, **mirrored, **bent})
-    times, left = clip(TURN, 1.2, 0.6)
-    right = clip({joint: (0, -angles[1], 0) for joint, angles in TURN.items()}, 1.2, 0.6)[1]
-    turns = {joint: np.concatenate([left[joint], right[joint][1:]]) for joint in TURN}
-    turned = _whole(rig, np.concatenate([times, times[-1] + times[1:]]), turns)
-    return {"walk": walk, "sit": sit, "reach": reach, "fist": fist, "turn": turned}
+    turned = _both(rig, TURN, {joint: (0, -angles[1], 0) for joint, angles in TURN.items()})
+    return {"walk": walk, "sit": sit, "reach": reach, "fist": fist, "turn": turned, "bend": _both(rig, FORWARD, SIDEWAYS)}
+
+
+def _both(rig: Rig, first: dict, second: dict) -> tuple:
+    """Returns a clip that goes to one pose and back, then to another pose of the same joints and back."""
+    times, there = clip(first, 1.2, 0.6)
+    back = clip(second, 1.2, 0.6)[1]
+    turns = {joint: np.concatenate([there[joint], back[joint][1:]]) for joint in first}
+    return _whole(rig, np.concatenate([times, times[-1] + times[1:]]), turns)
 
 
 def both(pose: dict) -> dict:

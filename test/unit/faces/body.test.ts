@@ -23,19 +23,23 @@ const primitiveOf = (name: string) =>
     .listPrimitives()[0]!
 const wrinklesOf = (mesh: string) =>
   primitiveOf(mesh).getMaterial()!.getExtension<MaterialWrinkles>('FURROW_wrinkle_maps')
+/** Returns area and measured joint of each driver of a mesh. */
+const driversOf = (mesh: string) =>
+  (wrinklesOf(mesh)!.getDrivers() as BoneDriver[]).map(({ area, joints }) => [area, joints[1]])
 
 describe('the shipped figure', () => {
   it('has under 6 MB', () => {
     expect(bytes.length).toBeLessThan(6e6)
   })
 
-  it('walks, sits, reaches, makes fists and turns', () => {
+  it('walks, sits, reaches, makes fists, turns and bends', () => {
     expect(root.listAnimations().map((clip) => clip.getName())).toEqual([
       'walk',
       'sit',
       'reach',
       'fist',
       'turn',
+      'bend',
     ])
     const joints = new Set(root.listSkins()[0]!.listJoints())
     for (const clip of root.listAnimations())
@@ -57,10 +61,17 @@ describe('the shipped figure', () => {
     ['shirt', 'lowerarm01'],
     ['trousers', 'lowerleg01'],
   ])('has folds of the %s on both sides, which only %s drives', (mesh, joint) => {
-    const wrinkles = wrinklesOf(mesh)!
-    const drivers = wrinkles.getDrivers() as BoneDriver[]
-    expect(drivers.map(({ area, joints }) => [area, joints[1]])).toEqual(
+    expect(driversOf(mesh).slice(0, 2)).toEqual(
       ['L', 'R'].map((side) => [`${joint}.${side} flexion`, `${joint}.${side}`]),
+    )
+  })
+
+  it('has folds of the shirt in five directions of the trunk, which the spine drives', () => {
+    expect(driversOf('trousers')).toHaveLength(2)
+    expect(driversOf('shirt').slice(2)).toEqual(
+      ['forward', 'tilt to the left', 'tilt to the right', 'turn to the left', 'turn to the right'].map(
+        (name) => [`spine01 ${name}`, 'spine01'],
+      ),
     )
   })
 

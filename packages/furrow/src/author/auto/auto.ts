@@ -22,7 +22,7 @@ import { fitDrivers } from './fit/fit-drivers.ts'
 import { assignLayers } from './fit/layers.ts'
 import { type AutoFurrows, drawNet } from './furrows/draw-net.ts'
 import { planNet } from './furrows/plan-net.ts'
-import { areaSizeFor, coarseWarnings } from './joints/area-size.ts'
+import { areaSizeFor, clothMapSize, coarseWarnings } from './joints/area-size.ts'
 import { creaseJoints } from './joints/crease-joints.ts'
 import { layLines } from './lines/lay-lines.ts'
 import { AUTO_DEFAULTS, type AutoOptions, checkAutoOptions } from './options.ts'
@@ -173,7 +173,11 @@ export function autoWrinkles(
   const layerOf = assignLayers(drawnRegions, hasBulges ? lineLayers - 1 : lineLayers)
   const isEmpty = drawnRegions.length === 0 && !hasBulges
   const mapProgress = begin('maps')
-  const mapSettings = { ...settings, areaSize: options.areaSize ?? areaSizeFor(prepared, jointed) }
+  const mapSettings = {
+    ...settings,
+    size: options.cloth === undefined ? settings.size : clothMapSize(prepared, jointed, settings.size),
+    areaSize: options.areaSize ?? areaSizeFor(prepared, jointed),
+  }
   const drawn = isEmpty ? undefined : drawMaps(prepared, drawnRegions, layerOf, mapSettings, mapProgress)
   const { layers, weights } = drawn ?? { layers: [] as AutoLayer[], weights: [] }
   const blood = drawn

@@ -21,7 +21,7 @@ export interface AutoOptions {
   age?: number
   /** Factor on the depth of all wrinkles, 0..2. */
   strength?: number
-  /** Width and height of the layers' maps in texels. */
+  /** Width and height of the layers' maps in texels. Maps of cloth are smaller if that suffices for its wide folds. */
   size?: number
   /** Width and height of the areas' maps in texels. Default: 128; up to 512 if joints fold small parts of a large skin. */
   areaSize?: number

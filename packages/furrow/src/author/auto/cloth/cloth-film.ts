@@ -31,6 +31,8 @@ export interface ClothTube {
   wavelength: number
   /** Number of samples of the cloth per wavelength. */
   samples: number
+  /** Minimum length of a fold in wavelengths. */
+  shortest: number
   /**
    * Returns the slope by which the compression turns at a position: angle around the tube in radians, and distance along it. Folds spread
    * like a fan from the crook.

@@ -20,6 +20,8 @@ const HALVES = [0.72, 0.8] as const
 const FAN = 0.3
 /** Fraction of the compression that acts along the limb. Cloth slides around a limb more easily than it shears. */
 const DIRECTED = 0.55
+/** Minimum length of a fold in wavelengths. */
+const SHORTEST = 1.1
 /** Number of samples of the cloth per wavelength. */
 const SAMPLES = 9
 /** Standard deviation of the random turn of the compression, as a slope. */
@@ -81,6 +83,7 @@ function regionOf(
     shown: (point: number) => crushed[point],
     wavelength,
     samples: SAMPLES,
+    shortest: SHORTEST,
     directed: DIRECTED,
     lean: LEAN,
     critical: CRITICAL,

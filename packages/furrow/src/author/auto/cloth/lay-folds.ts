@@ -27,7 +27,7 @@ export function layFolds(
   const { wavelength } = tube
   const cloth = buckleCloth(prepared.surface, tube, tensors)
   if (!cloth) return undefined
-  const ridges = [...traceRidges(cloth, wavelength), ...more(cloth.samples, tube)]
+  const ridges = [...traceRidges(cloth, tube), ...more(cloth.samples, tube)]
   const heights = fitHeights(cloth, ridges, { wavelength, limit: MAX_HEIGHT * wavelength })
   const scaled = heights.map((own) => own.map((height) => strength * height))
   return clothCreases(prepared, { cloth, ridges, heights: scaled })

@@ -21,8 +21,6 @@ export interface Ridge {
 const STEP = 0.06
 /** Minimum height of a ridge above the mean, in wavelengths. */
 const MIN_HEIGHT = 0.008
-/** Minimum length of a ridge in wavelengths. */
-const MIN_LENGTH = 1.1
 /** Minimum weight of the compression at a ridge. */
 const MIN_WEIGHT = 0.12
 /** Range in which valleys are sought, and range of the reach of a fold, in wavelengths. */
@@ -31,8 +29,15 @@ const REACH = [0.36, 0.68] as const
 /** Number of samples on each side of a ridge, to find the valley. */
 const LOOKUPS = 20
 
-/** Traces the crests of folds. */
-export function traceRidges({ samples, heights, weight, wavelength }: BuckledCloth, lambda: number): Ridge[] {
+/**
+ * Traces the crests of folds.
+ *
+ * @param shortest minimum length of a crest in wavelengths.
+ */
+export function traceRidges(
+  { samples, heights, weight, wavelength }: BuckledCloth,
+  { wavelength: lambda, shortest }: { wavelength: number; shortest: number },
+): Ridge[] {
   const scale = SOLVED / lambda
   const grid = { ...samples.grid, spacing: scale * samples.grid.spacing }
   // Valleys of the inverted relief are ridges.
@@ -46,7 +51,7 @@ export function traceRidges({ samples, heights, weight, wavelength }: BuckledClo
     wavelength: (x, y) => scale * wavelength[sample(x, y)],
     isInside: (x, y) => weight[sample(x, y)] > MIN_WEIGHT,
     minDepth: MIN_HEIGHT * SOLVED,
-    minLength: MIN_LENGTH * SOLVED,
+    minLength: shortest * SOLVED,
   })
   return found.map(({ points, depths, joins }) => ({
     points: Float64Array.from(points, (value) => value / scale),

@@ -66,6 +66,8 @@ const FOLDS: readonly TrunkFold[] = [
   ),
 ]
 
+/** Minimum length of a fold in wavelengths. Short ones on the flat belly would look like dents. */
+const SHORTEST = 2
 /** Number of samples of the cloth per wavelength. A trunk is so large that more would take seconds. */
 const SAMPLES = 7
 /** Standard deviation of the random turn of the compression, as a slope. */
@@ -135,6 +137,7 @@ export function trunkRegions(
       shown: () => 1,
       wavelength,
       samples: SAMPLES,
+      shortest: SHORTEST,
       fan: () => 0,
       directed: fold.directed,
       lean: LEAN,

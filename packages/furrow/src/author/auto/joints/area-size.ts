@@ -26,6 +26,23 @@ export function areaSizeFor(prepared: Measured, regions: readonly JointRegion[])
   return allowed.find((size) => side / size <= FINE * reach) ?? allowed[allowed.length - 1]
 }
 
+/** Minimum number of texels per fold of cloth, and minimum size of its maps. */
+const FOLD_TEXELS = 12
+const MIN_CLOTH_SIZE = 256
+
+/**
+ * Returns the size of the maps of cloth. Folds are wide, so smaller maps than requested often show them as well, and take a quarter of the
+ * memory.
+ */
+export function clothMapSize(prepared: Measured, regions: readonly JointRegion[], size: number): number {
+  const fold = Math.min(...regions.map(({ region }) => region.spacing))
+  const texel = textureSide(prepared) / size
+  const isFineAt = (factor: number) => factor * texel <= fold / FOLD_TEXELS && size / factor >= MIN_CLOTH_SIZE
+  let factor = 1
+  while (Number.isInteger(size / (2 * factor)) && isFineAt(2 * factor)) factor *= 2
+  return size / factor
+}
+
 /** Returns a warning if half of the creases are narrower than the texels of the maps can show. */
 export function coarseWarnings(prepared: Measured, regions: readonly JointRegion[], size: number): string[] {
   const widths = regions.flatMap(({ strokes }) => strokes.map(({ width }) => width)).sort((a, b) => a - b)

@@ -103,6 +103,7 @@ export function clothTubes(limb: LimbSkin, cloth: ClothKind, { seed, strength }:
         shown: (point: number) => crushed[point],
         wavelength,
         samples: 9,
+        shortest: 1.1,
         fan: () => 0,
         directed: 0.55,
         lean: 0.3,
