@@ -82,6 +82,14 @@ it('stiffer cloth has wider and fewer folds', () => {
   }
 })
 
+it('maps are as large as the folds need', () => {
+  const sizeOf = (cloth: (typeof CLOTH_KINDS)[number], size: number) =>
+    autoWrinkles(skin, { ...SETTINGS, cloth, size }).layers[0]!.normal.width
+  expect(sizeOf('silk', 1024)).toBe(512)
+  expect(sizeOf('leather', 1024)).toBe(256)
+  expect(sizeOf('leather', 128)).toBe(128)
+})
+
 describe('the folds do not depend on', () => {
   it.each<[string, SleeveOptions]>([
     ['the unit of length', { scale: 100 }],
