@@ -64,6 +64,7 @@ describe('a body without a face', () => {
       reason: expect.stringContaining('the only surface with'),
       bytes: readFileSync(file('out.glb')).length,
       cost: { file: expect.any(Number), gpu: expect.any(Number), phone: expect.any(Number) },
+      total: { areas: told.areas.length, file: told.cost.file, gpu: told.cost.gpu },
       isFace: false,
       seed: 1,
       symmetry: 0,

@@ -39,10 +39,9 @@ describe('a hand that joints move', () => {
           const angle = first + ((last - first) * step) / STEPS
           const now = activations([[joints[1], axis!, angle]])
           for (const [area, value] of Object.entries(now)) {
-            const isStart = Math.abs(angle) < last / 32
-            expect(Math.abs(value - before[area]!), `${name} moves ${area}`).toBeLessThan(
-              isStart ? 0.1 : 0.03,
-            )
+            // A wrist passes from flexion to extension, whose range is shorter.
+            const most = Math.abs(angle) < last / 16 ? 0.035 : 0.03
+            expect(Math.abs(value - before[area]!), `${name} moves ${area}`).toBeLessThan(most)
           }
           before = now
         }
@@ -139,7 +138,7 @@ describe('a skeleton that is not usual', () => {
       indices: new Uint16Array(skin.skeleton!.indices.length),
     }
     expect(autoWrinkles({ ...skin, skeleton: root }, SETTINGS).emptyReason).toBe(
-      'no joint of a hand, a neck, an elbow or a knee folds the surface',
+      'no joint of a hand, a neck, an elbow, a knee or a waist folds the surface',
     )
   })
 })

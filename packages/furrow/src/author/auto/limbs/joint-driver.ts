@@ -6,7 +6,7 @@ import type { LimbSkin } from './limb-skin.ts'
 import type { JointLink } from './region-plan.ts'
 
 /** Number of straight pieces that approximate the square root. */
-const PIECES = 5
+const PIECES = 4
 /** Angle below rest at which the part of the activation that remains at rest is gone, as a fraction of the full angle. */
 const STRETCHED = 0.6
 
