@@ -145,7 +145,10 @@ export const FIGURES = {
         ...CLOTHES,
         page: `clothes.html?clip=sit&time=${time}${AT_KNEE}`,
       })),
-      ...['bend&time=1.5', 'turn&time=4.5'].map((clip) => ({ ...CLOTHES, page: `clothes.html?clip=${clip}${AT_WAIST}` })),
+      ...['bend&time=1.5', 'turn&time=4.5'].map((clip) => ({
+        ...CLOTHES,
+        page: `clothes.html?clip=${clip}${AT_WAIST}`,
+      })),
     ].map((picture, i) => ({
       ...picture,
       page: picture.page + end,

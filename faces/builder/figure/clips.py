@@ -25,8 +25,8 @@ REACH = {"upperarm01": (58, 0, 0), "lowerarm01": (98, 0, 0), "shoulder01": (4, 0
 TURN = {"spine04": (0, 9, 0), "spine03": (0, 11, 0), "spine02": (0, 11, 0), "neck01": (0, 8, 0), "neck02": (0, 10, 0)}
 TURN |= {"neck03": (0, 12, 0), "head": (0, 10, 0)}
 SPINE = ("spine05", "spine04", "spine03", "spine02")
-FORWARD = {joint: (11, 0, 0) for joint in SPINE}
-SIDEWAYS = {joint: (0, 0, 7) for joint in SPINE}
+FORWARD = dict.fromkeys(SPINE, (11, 0, 0))
+SIDEWAYS = dict.fromkeys(SPINE, (0, 0, 7))
 # The arms of the bind pose point to the sides. At rest they hang.
 HANG = {"upperarm01": 27.0}  # degrees towards the body
 ELBOW = 30.0  # degrees by which the elbows of the bind pose are bent too much
@@ -40,10 +40,11 @@ def figure_clips(rig: Rig) -> dict[str, tuple]:
     reach = _whole(rig, *clip(both(REACH), 1.0, 0.8))
     seconds, fists = hand_clip()
     mirrored = {joint.replace(".L", ".R"): _mirrored(turns) for joint, turns in fists.items()}
-    bent = clip({f"lowerarm01.{side}": (84, 0, 0) for side in SIDES}, 1.4, 0.6)[1]
-    fist = _whole(rig, seconds, {**fists, **mirrored, **bent})
+    raised = clip({f"lowerarm01.{side}": (84, 0, 0) for side in SIDES}, 1.4, 0.6)[1]
+    fist = _whole(rig, seconds, {**fists, **mirrored, **raised})
     turned = _both(rig, TURN, {joint: (0, -angles[1], 0) for joint, angles in TURN.items()})
-    return {"walk": walk, "sit": sit, "reach": reach, "fist": fist, "turn": turned, "bend": _both(rig, FORWARD, SIDEWAYS)}
+    bent = _both(rig, FORWARD, SIDEWAYS)
+    return {"walk": walk, "sit": sit, "reach": reach, "fist": fist, "turn": turned, "bend": bent}
 
 
 def _both(rig: Rig, first: dict, second: dict) -> tuple:
