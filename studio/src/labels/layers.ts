@@ -1,5 +1,3 @@
-import type { MapName } from '../document/document.ts'
-
 /** Layers and their maps. */
 export const LAYER = {
   detail: 'Detail',
@@ -34,7 +32,7 @@ export const LAYER = {
   cancel: 'Cancel',
 } as const
 
-export const MAPS: Readonly<Record<MapName, string>> = {
+export const MAPS = {
   normal: 'Normal',
   baseColor: 'Colour',
   roughness: 'Roughness',
@@ -42,7 +40,7 @@ export const MAPS: Readonly<Record<MapName, string>> = {
   height: 'Height',
   blood: 'Blood',
   onset: 'Onset',
-}
+} as const
 
 /** Returns the accessible names of a layer's controls. */
 export function layerLabels(name: string) {
@@ -56,7 +54,7 @@ export function layerLabels(name: string) {
 }
 
 /** Returns the accessible names of the controls of a layer's map. */
-export function mapLabels(map: MapName, layer: string) {
+export function mapLabels(map: keyof typeof MAPS, layer: string) {
   return {
     import: `Import ${map} of ${layer}`,
     importHint: `Import ${MAPS[map].toLowerCase()} map`,
