@@ -28,8 +28,9 @@ const TURN_LENGTH = 25
 const SPACINGS = [0.95, 1.35] as const
 /** Maximum part of a line that is cut off at each end, as a fraction of its length. */
 const SHORTER = 0.2
-/** Width of a line as a fraction of the spacing. */
+/** Width of a line as a fraction of the wavelength, and its maximum as a fraction of the spacing. */
 const WIDTH = 0.28
+const MAX_WIDTH = 0.6
 /** Factors on the spacing. The first one with at least `MIN_LINES` lines is chosen, so that small areas get lines too. */
 const FACTORS = [1, 0.5, 0.25]
 const MIN_LINES = 2
@@ -70,16 +71,16 @@ export function layAreaLines(canvas: SkinCanvas, weights: GrayImage, settings: A
   if (covered.length === 0) return []
   const axis = longAxis(covered)
   let lines: LaidLine[] = []
-  let spacing = wavelength
   for (const factor of FACTORS) {
-    spacing = factor * wavelength
-    const laid = layLines(canvas, weights, covered, axis, spacing, settings)
+    const spacing = factor * wavelength
+    const width = Math.min(WIDTH * wavelength, MAX_WIDTH * spacing)
+    const laid = layLines(canvas, weights, covered, axis, spacing, width, settings)
     if (laid.length > lines.length) lines = laid
     if (lines.length >= MIN_LINES) break
   }
   const region = {
     name: settings.stream,
-    spacing,
+    spacing: wavelength,
     creasedFraction: lerp(0.5, 0.8, ageFraction),
     maxDepth: lerp(0.7, 1.2, ageFraction),
   }
@@ -92,6 +93,7 @@ function layLines(
   covered: readonly SurfacePoint[],
   axis: Float64Array,
   spacing: number,
+  width: number,
   { seed, stream }: AreaLineSettings,
 ): LaidLine[] {
   const { surface } = canvas
@@ -105,7 +107,7 @@ function layLines(
     style: variedStyle(rng),
     spacingFactor: () => rng.uniform(...SPACINGS),
   })
-  return laid.map((line) => shorter({ ...line, style: variedStyle(rng, WIDTH * spacing) }, rng))
+  return laid.map((line) => shorter({ ...line, style: variedStyle(rng, width) }, rng))
 }
 
 /** Returns a field of creases along an axis, which turns a little from place to place. The compression is proportional to the area's weight. */
