@@ -24,6 +24,8 @@ export function autoMaps({ blood }: Pick<AutoWrinkles, 'blood'>): AutoMaps<GrayI
   return blood.maps.map((map) => ({ blood: halfSide(map) }))
 }
 
+type Driver = StudioDocument['drivers'][number]
+
 /** Layer names that `autoWrinkles` assigns. */
 const AUTOMATIC_LAYER = /^auto\d$/
 
@@ -107,13 +109,20 @@ export function remake(document: StudioDocument, newest: StudioDocument): Studio
     strokes,
     layers: joinedLayers(document, made, areas, strokes),
     drivers: [
-      ...document.drivers.filter((driver) => {
-        const area = areaOf(driver)
-        return area === undefined ? driver.type !== 'expression' : hasOldDrivers(area)
-      }),
+      ...document.drivers
+        .filter((driver) => {
+          const area = areaOf(driver)
+          return area === undefined ? driver.type !== 'expression' : hasOldDrivers(area)
+        })
+        .map((driver) => withAgeOf(made, driver)),
       ...made.drivers.filter((driver) => !hasOldDrivers(areaOf(driver) ?? '')),
     ],
   }
+}
+
+/** Returns a driver with the age of a document. Of all drivers of type `age`, only the age of the first one counts. */
+function withAgeOf({ auto }: StudioDocument, driver: Driver): Driver {
+  return driver.type === 'age' && auto?.age !== undefined ? { ...driver, initial: auto.age } : driver
 }
 
 /** Returns the maximum number of automatic layers: `MAX_LAYERS` minus the artist's own layers. Throws FurrowError if it is 0. */

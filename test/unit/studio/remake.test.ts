@@ -134,3 +134,21 @@ describe('making automatic wrinkles again', () => {
     expect(remade().layers[0].maps.roughness).toBe(image)
   })
 })
+
+test('drivers that stay get the new age, because only the age of the first driver counts', () => {
+  const age = (area: string, initial: number) => ({ type: 'age', area, curve: [[20, 0]], initial }) as never
+  session.open({ ...automatic(0), drivers: [age('forehead', 45), age('frown', 45)] })
+  session.edit('paint', (old) => ({
+    ...old,
+    areas: old.areas.map(({ isAutomatic: _, ...area }, i) =>
+      i === 0 ? area : { ...area, isAutomatic: true },
+    ),
+  }))
+  const older = {
+    ...made,
+    drivers: [age('forehead', 73), age('frown', 73)],
+    auto: { ...made.auto!, age: 73 },
+  }
+  const ages = remake(document(), older).drivers.map((driver) => 'initial' in driver && driver.initial)
+  expect(ages).toEqual([73, 73])
+})
