@@ -54,9 +54,10 @@ export class Downloads {
 
   /** Saves the settings of automatic wrinkles for use with other avatars. */
   savePreset(viewer: Viewer | null): void {
-    const auto = this.#workspace.session.document.peek()?.auto
-    if (!viewer || !auto) return
-    const text = jsonFile({ version: 1, ...presetOf(auto) }) as BlobPart
+    const { session, settings } = this.#workspace
+    if (!viewer || !session.document.peek()?.auto) return
+    // The settings that the page shows. Wrinkles may still be made with them.
+    const text = jsonFile({ version: 1, ...presetOf(settings.peek()) }) as BlobPart
     const name = `${viewer.avatar.name}-preset.json`
     saveFile(new Blob([text], { type: 'application/json' }), name)
     this.#messages.note(

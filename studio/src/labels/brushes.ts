@@ -6,6 +6,11 @@ export const BRUSH = {
   softness: 'Softness',
 } as const
 
+/** Returns the hint that strokes change the selected region. */
+export function intoRegion(region: string): string {
+  return `Strokes change “${region}”. Press Whole face to begin another region.`
+}
+
 /** Brush that paints regions. */
 export const PAINT = {
   add: 'Add',
@@ -33,6 +38,7 @@ export const SCULPT = {
   flatten: 'Flatten',
   height: 'Height, mm',
   strength: 'Strength',
+  noRegion: 'Strokes get a region of their own.',
   stamp: 'Stamp…',
   stampTitle: 'A gray image that shapes the brush: white has the full effect',
   removeStamp: 'Remove the stamp',

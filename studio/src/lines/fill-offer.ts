@@ -72,10 +72,12 @@ function isEmpty({ data }: GrayImage): boolean {
   return data.every((weight) => weight < ON_AREA)
 }
 
-/** Whether a line of the area's layer lies on the area. */
+/** Whether a line of the area's layer lies on the area with at least half of its points. */
 function hasLines({ strokes }: StudioDocument, { layer, weights }: StudioArea): boolean {
   const isOn = (uv: Uv) => texelAt(weights, uv) >= ON_AREA
-  return strokes.some((stroke) => stroke.layer === layer && stroke.points.some(isOn))
+  return strokes.some((stroke) => {
+    return stroke.layer === layer && 2 * stroke.points.filter(isOn).length >= stroke.points.length
+  })
 }
 
 function noSkinError(area: string): FurrowError {

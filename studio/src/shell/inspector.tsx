@@ -1,6 +1,7 @@
 import { signal } from '@preact/signals'
 import type { StudioArea } from '../document/document.ts'
 import { splitSide } from '../document/sides.ts'
+import { intoRegion, PAINT, SCULPT } from '../labels/brushes.ts'
 import { regionLabel } from '../labels/names.ts'
 import { INSPECTOR, PLACES } from '../labels/page.ts'
 import { FILE } from '../labels/project.ts'
@@ -66,10 +67,13 @@ export function Inspector({ model }: { model: PanelModel }) {
 /** Settings of the brush, and the question when its new regions show. */
 function Brush({ model }: { model: PanelModel }) {
   const { tools, areas } = model
-  const added = areas.added.value
+  const [added, region] = [areas.added.value, areas.chosen.value]
+  const isSculpting = tools.tool.value === 'sculpt'
+  const noRegion = isSculpting ? SCULPT.noRegion : PAINT.noRegion
   return (
     <>
-      {tools.tool.value === 'sculpt' ? <SculptSettings model={model} /> : <BrushSettings model={model} />}
+      <p class="hint">{region ? intoRegion(regionLabel(region.name)) : noRegion}</p>
+      {isSculpting ? <SculptSettings model={model} /> : <BrushSettings model={model} />}
       {added.length > 0 && (
         <section>
           <WhenQuestion model={model} added={added} onAnswer={() => areas.forgetAdded()} />

@@ -15,11 +15,10 @@ const MODES = BRUSH_MODES.map((value) => ({ value, label: PAINT[value] }))
 const SIZES = [1, 80, 0.5] as const
 
 /** Settings of the brush or the polygon. */
-export function BrushSettings({ model: { painting, areas } }: { model: PanelModel }) {
+export function BrushSettings({ model: { painting } }: { model: PanelModel }) {
   const isBrush = painting.shape.value === 'brush'
   return (
     <section class="brush" aria-label={isBrush ? PLACES.brush : TOOLS.polygon}>
-      {!areas.chosen.value && <p class="hint">{PAINT.noRegion}</p>}
       {isBrush ? <BrushControls painting={painting} /> : <PolygonControls painting={painting} />}
     </section>
   )
