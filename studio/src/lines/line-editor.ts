@@ -10,6 +10,7 @@ import {
   splineOf,
 } from 'furrow/internal'
 import type { LayerStroke, StudioDocument } from '../document/document.ts'
+import { otherSide } from '../document/sides.ts'
 import { replaceStroke, replaceStrokes } from '../document/strokes.ts'
 import type { Session } from '../session/session.ts'
 import { Counterparts } from './counterpart.ts'
@@ -328,14 +329,19 @@ export class LineEditor {
       this.group.value = group
       return
     }
-    const { canvas } = this.#surface() ?? {}
-    const strokes = this.allChosen.peek().filter((stroke) => stroke.group !== group)
-    if (!canvas || strokes.length === 0 || group === '') return
-    this.session.edit(`Change the group of ${nounOf(strokes)}`, (document) =>
-      strokes.reduce((changed, stroke) => {
-        const own = { ...stroke, group }
-        return coverLine(replaceStroke(changed, stroke, [own]), own, canvas)
-      }, document),
+    const [{ indices }, document, surface] = [this.#selection, this.session.document.peek(), this.#surface()]
+    const others = indices.filter((index) => document?.strokes[index].group !== group)
+    if (!document || !surface || others.length === 0 || group === '') return
+    const changed = new Map(others.map((index) => [index, { ...document.strokes[index], group }]))
+    const other = otherSide(group)
+    const all = this.mirrored.peek()
+      ? this.#counterparts.add(changed, document.strokes, surface, (stroke) => ({ ...stroke, group: other }))
+      : changed
+    this.session.edit(`Change the group of ${nounOf(others)}`, (old) =>
+      [...all.values()].reduce(
+        (next, stroke) => coverLine(next, stroke, surface.canvas),
+        replaceStrokes(old, all),
+      ),
     )
   }
 

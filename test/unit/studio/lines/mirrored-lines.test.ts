@@ -11,13 +11,14 @@ import { frozen, sampleDocument, strokeOf } from '../sample-document.ts'
 const canvas = skinCanvas(readSkin([plainSheet()]).skin, 32)
 const lines = new StrokeLines(canvas)
 
-const strokeAt = (group: string, ...points: Uv[]): LayerStroke => ({ ...strokeOf('folds', group), points })
+const strokeAt = (group: string, ...points: Uv[]): LayerStroke => ({ ...strokeOf('up', group), points })
 
 const LEFT = strokeAt('browLeft', [0.1, 0.3], [0.4, 0.3])
 /** Counterpart of `LEFT`, 3 mm too low. */
 const RIGHT = strokeAt('browRight', [0.9, 0.33], [0.6, 0.33])
 const OTHER = strokeAt('browRight', [0.9, 0.6], [0.6, 0.6])
 const ACROSS = strokeAt('brow', [0.1, 0.8], [0.9, 0.8])
+const ALL = [LEFT, RIGHT, OTHER, ACROSS]
 
 /** Plane through the middle of the sheet. */
 const middle = (() => {
@@ -32,7 +33,7 @@ const strokes = () => session.document.value!.strokes
 
 beforeEach(() => {
   session = new Session()
-  session.open(frozen({ ...sampleDocument(), strokes: [LEFT, RIGHT, OTHER, ACROSS] }))
+  session.open(frozen({ ...sampleDocument(), areaSize: 32, areas: [], drivers: [], strokes: ALL }))
   editor = new LineEditor(session, () => ({ canvas, lines, middle }))
   editor.mode.value = 'edit'
   editor.mirrored.value = true
@@ -115,4 +116,14 @@ test('without the toggle only the chosen line changes', () => {
   editor.mirrored.value = false
   editor.setShape({ depth: 1 })
   expect(strokes().map(({ depth }) => depth)).toEqual([1, 0.5, 0.5, 0.5])
+})
+
+test('a new region of a line gets its counterpart too', () => {
+  editor.setGroup('scarLeft')
+  expect(strokes().map(({ group }) => group)).toEqual(['scarLeft', 'scarRight', 'browRight', 'brow'])
+  const { areas } = session.document.value!
+  expect(areas.slice(-2).map(({ name, activation }) => [name, activation])).toEqual([
+    ['scarLeft', 1],
+    ['scarRight', 1],
+  ])
 })
