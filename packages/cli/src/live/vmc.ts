@@ -1,4 +1,4 @@
-import { fromBuffer, type OscPacketOutput } from 'osc-min'
+import { decode } from 'node-osc'
 import {
   finiteOrNull,
   type LiveSource,
@@ -7,6 +7,11 @@ import {
   type PacketReader,
   type Scores,
 } from './source.ts'
+
+/** Decoded packet. The library has no types for it. */
+type Packet =
+  | { oscType: 'bundle'; elements: Packet[] }
+  | { oscType: 'message'; address: string; args: { value: unknown }[] }
 
 /** Maximum nesting of OSC bundles. */
 const MAX_DEPTH = 4
@@ -21,13 +26,13 @@ function createReader(): PacketReader {
   // Values stay until they are sent again, because some programs send only changes.
   const scores = new Map<string, number>()
   let frame: Scores | null = null
-  const read = (packet: OscPacketOutput, depth: number) => {
+  const read = (packet: Packet, depth: number) => {
     if (packet.oscType === 'bundle') {
       if (depth < MAX_DEPTH) for (const element of packet.elements) read(element, depth + 1)
     } else if (packet.address === '/VMC/Ext/Blend/Val') {
-      const [name, value] = packet.args
-      if (name?.type !== 'string' || value?.type !== 'float' || name.value.length > MAX_NAME) return
-      if (scores.size < MAX_SCORES || scores.has(name.value)) scores.set(name.value, value.value)
+      const [name, value] = packet.args.map((argument) => argument.value)
+      if (typeof name !== 'string' || typeof value !== 'number' || name.length > MAX_NAME) return
+      if (scores.size < MAX_SCORES || scores.has(name)) scores.set(name, value)
     } else if (packet.address === '/VMC/Ext/Blend/Apply') {
       frame = finiteOrNull(Object.fromEntries(scores))
     }
@@ -35,8 +40,7 @@ function createReader(): PacketReader {
   return (packet) => {
     frame = null
     try {
-      // The copy has its own memory, because a malformed packet can make the parser read before its beginning.
-      read(fromBuffer(Uint8Array.from(packet)), 0)
+      read(decode(Buffer.from(packet)) as Packet, 0)
     } catch {
       return null
     }
