@@ -24,11 +24,19 @@ export function offline(isKept: (path: string) => boolean): Plugin {
         const file = bundle[path]
         hash.update(path).update(file.type === 'chunk' ? file.code : file.source)
       }
-      const source = (await readFile(WORKER, 'utf8'))
-        .replace("'FILES'", JSON.stringify(['./', ...files]))
-        .replace("'VERSION'", JSON.stringify(hash.digest('hex').slice(0, 16)))
+      const listed = fill(await readFile(WORKER, 'utf8'), "'FILES'", ['./', ...files])
+      const source = fill(listed, "'VERSION'", hash.digest('hex').slice(0, 16))
       const { code } = await transformWithOxc(source, WORKER)
       this.emitFile({ type: 'asset', fileName: 'service-worker.js', source: code })
     },
   }
+}
+
+/** Replaces a placeholder by a value. Throws an Error if the text does not have the placeholder exactly once. */
+function fill(text: string, placeholder: string, value: unknown): string {
+  const parts = text.split(placeholder)
+  if (parts.length === 2) return parts.join(JSON.stringify(value))
+  throw new Error(
+    `offline: ${placeholder} in ${WORKER}, got ${parts.length - 1} times, allowed: once; rename others`,
+  )
 }

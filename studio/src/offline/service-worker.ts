@@ -1,7 +1,7 @@
 /**
  * Caches the built page for offline use. A new build takes over only after all pages of the old build are closed, so builds are never mixed.
  *
- * `offline.ts` adds this file to the build, and replaces `'FILES'` and `'VERSION'`.
+ * `offline.ts` adds this file to the build, with the values of the constants.
  */
 
 const FILES: unknown = 'FILES'
