@@ -11,6 +11,8 @@ import { addStroke, edited } from '../document/strokes.ts'
 const NEW_AREA = 'lines'
 /** A line is on an area if the area's mean weight at the line's points is at least this, 0..255. */
 const UNDER = 32
+/** A new line belongs to an area if this mean weight is at least so high. At its soft border, the line gets an area of its own. */
+const OWNED = 96
 
 /** New wrinkle line. Default group: the area that covers the line, or a new area. Default layer: the layer of this area. */
 export type NewLine = Omit<LayerStroke, 'layer'> & { readonly layer?: string }
@@ -75,7 +77,7 @@ function groupUnder({ areas }: StudioDocument, points: readonly Uv[]): string | 
   const under = areas
     .filter((area) => !isBloodArea(area))
     .map(({ name, weights }) => ({ name, mean: meanWeight(weights, points) }))
-    .filter(({ mean }) => mean >= UNDER)
+    .filter(({ mean }) => mean >= OWNED)
     .sort((a, b) => b.mean - a.mean)
   const [best] = under
   if (!best) return undefined
