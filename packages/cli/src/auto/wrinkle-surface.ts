@@ -34,9 +34,14 @@ export interface WrinkledSource {
 
 /** File, with the limits of its character. */
 interface CharacterSource extends WrinkledSource {
-  /** Random seeds of the wrinkles that the surfaces had. */
-  seeds: ReadonlyMap<FoundSkin, number | undefined>
+  /** What new wrinkles take over from the wrinkles that the surfaces had. */
+  kept: ReadonlyMap<FoundSkin, Kept>
   budget: CharacterBudget
+}
+
+interface Kept extends ReturnType<typeof correctionsIn> {
+  /** Random seed. */
+  seed: number | undefined
 }
 
 export interface SurfaceSettings {
@@ -74,9 +79,9 @@ export async function wrinkleSurfaces(
   steps: Steps,
 ): Promise<WrinkledSurfaces> {
   const surfaces = [first, ...smaller]
-  const seeds = new Map(surfaces.map((found) => [found, seedIn(file.glb, found, file.who)]))
+  const kept = new Map(surfaces.map((found) => [found, keptIn(file.glb, found, file.who)]))
   if (settings.replace) stripAll(file, surfaces)
-  const source = { ...file, seeds, budget: new CharacterBudget() }
+  const source = { ...file, kept, budget: new CharacterBudget() }
   const others = [...smaller].sort((a, b) => surfaceArea(b.skin) - surfaceArea(a.skin))
   const [made, failed]: [WrinkledSurface[], WrinkledSurfaces['failed']] = [[], []]
   const add = (found: FoundSkin, result: WrinkledSurface | string) => {
@@ -102,14 +107,14 @@ export async function wrinkleSurfaces(
  * @returns the reason, a clause for a message, if the surface gets no wrinkles.
  */
 async function wrinkleSurface(
-  { glb, document, who, seeds, budget }: CharacterSource,
+  { glb, document, who, kept, budget }: CharacterSource,
   found: FoundSkin,
   { options, ktx2 }: SurfaceSettings,
   progress: AutoProgress,
   encoding: () => void = () => {},
 ): Promise<WrinkledSurface | string> {
-  const { corrections, problem: fault } = correctionsIn(glb.json, found.material, 'a correction is left out')
-  const seed = options.seed ?? seeds.get(found)
+  const { corrections, problem: fault, ...old } = kept.get(found)!
+  const seed = options.seed ?? old.seed
   checkPlain(glb, found, who)
   const skinWarnings = fault === undefined ? [] : [fault]
   if (addNormals(glb, document, found.mesh) > 0) skinWarnings.push(WITHOUT_NORMALS)
@@ -152,6 +157,11 @@ async function wrinkleOther(
     if (error instanceof FurrowError) return error.problem
     throw error
   }
+}
+
+function keptIn(glb: Glb, found: FoundSkin, who: string): Kept {
+  const corrections = correctionsIn(glb.json, found.material, 'a correction is left out')
+  return { ...corrections, seed: seedIn(glb, found, who) }
 }
 
 /** Returns the random seed that is stored with the wrinkles of a material. Wrinkles that are not valid have none. */
