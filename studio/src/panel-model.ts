@@ -70,6 +70,7 @@ export function panelModel(parts: PanelParts): PanelModel {
     tools,
     auto: settings,
     autoRun: automatic.run,
+    isBeginning: workspace.isBeginning,
     exporting: exporting.state,
     projects: keeping.projects,
     saving: keeping.state,

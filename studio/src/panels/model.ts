@@ -70,6 +70,8 @@ export interface PanelModel {
   readonly auto: ReadonlySignal<AutoSettings>
   /** Progress of making automatic wrinkles, or null. */
   readonly autoRun: ReadonlySignal<AutoRun | null>
+  /** Whether the first wrinkles of an avatar are made and drawn. */
+  readonly isBeginning: ReadonlySignal<boolean>
   readonly exporting: ReadonlySignal<ExportState | null>
   readonly projects: ReadonlySignal<readonly ProjectEntry[]>
   /** State of saving in the browser, or null while there is nothing to save. */

@@ -1,4 +1,4 @@
-import { effect, type ReadonlySignal, signal } from '@preact/signals'
+import { computed, effect, type ReadonlySignal, signal } from '@preact/signals'
 import { FurrowError } from 'furrow'
 import type { AutoWrinkles } from 'furrow/author'
 import { DEFAULT_AREA_SIZE } from 'furrow/internal'
@@ -39,6 +39,11 @@ export class Workspace {
   readonly exporting = new Exporting()
   readonly keeping: Keeping
   readonly #settings = signal<AutoSettings>(AUTO_SETTINGS)
+  readonly #beginning = signal<SkinSource | null>(null)
+  /** Whether the first wrinkles of the avatar are made and drawn. */
+  readonly isBeginning: ReadonlySignal<boolean> = computed(() => {
+    return this.#beginning.value !== null && this.#beginning.value === this.#source.value
+  })
   readonly #drawn = signal<DrawnDocument | null>(null)
   readonly #maps: MapMaker
   readonly #onError: (error: unknown) => void
@@ -141,9 +146,11 @@ export class Workspace {
   /** Opens a document with automatic wrinkles. If the skin has no blendshapes or no wrinkles can be made, opens an empty document. */
   async #begin(source: SkinSource): Promise<void> {
     const auto = source.skin.targets.length > 0 ? this.initialSettings : undefined
+    this.#beginning.value = source
     try {
       if (auto) await this.makeAuto(auto)
     } finally {
+      if (this.#beginning.peek() === source) this.#beginning.value = null
       const isEmpty = source === this.#source.peek() && !this.session.document.peek()
       if (isEmpty) this.session.open({ ...this.#target, ...blankDocument(auto) })
     }

@@ -145,8 +145,8 @@ function NoWrinkles() {
 }
 
 /** Shown while the wrinkles are those of the avatar's file, which users cannot edit. */
-function FromFile({ model: { viewer, autoRun, actions } }: { model: PanelModel }) {
-  if (autoRun.value) return <p class="hint">{INSPECTOR.making}</p>
+function FromFile({ model: { viewer, isBeginning, actions } }: { model: PanelModel }) {
+  if (isBeginning.value) return <p class="hint">{INSPECTOR.making}</p>
   const { avatar, wrinkles } = viewer.value!
   const skin = avatar.skins[avatar.skin]
   if (!wrinkles && skin.problem !== null) return <CannotWrinkle skin={skin} />
