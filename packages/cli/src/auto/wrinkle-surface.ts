@@ -34,7 +34,7 @@ export interface WrinkledSource {
 
 /** File, with the limits of its character. */
 interface CharacterSource extends WrinkledSource {
-  /** What new wrinkles take over from the wrinkles that the surfaces had. */
+  /** Corrections and random seeds of the wrinkles that the surfaces had, for the new ones. */
   kept: ReadonlyMap<FoundSkin, Kept>
   budget: CharacterBudget
 }
