@@ -123,7 +123,7 @@ async function expectSameStroke(label: string): Promise<void> {
   await stroke()
   await undoIs(page, label)
   const expected = await settled()
-  expect(await meanPngDifference(before, expected)).toBeGreaterThan(5 * SAME)
+  expect(await meanPngDifference(before, expected)).toBeGreaterThan(2 * SAME)
   await button(page, 'Undo').click()
   await expectPicture(page, before, SAME)
   await stroke(loseGraphics)
