@@ -1,6 +1,7 @@
-import { FurrowError, findTargets } from 'furrow'
+import { FurrowError } from 'furrow'
 import { motionOf, type Take } from '../document/take.ts'
 import type { Capture } from './live-link-face.ts'
+import { columnsOf } from './take-columns.ts'
 
 /**
  * Converts a facial capture to a take.
@@ -9,8 +10,7 @@ import type { Capture } from './live-link-face.ts'
  * @throws FurrowError if the face has none of the capture's blendshapes, or the capture is too long.
  */
 export function takeOfCapture({ name, times, weights }: Capture, targets: readonly string[]): Take {
-  const isKnown = [...weights.keys()].some((blendshape) => findTargets(blendshape, targets).length > 0)
-  if (!isKnown) throw missingBlendshapesError(name)
+  if (columnsOf([...weights.keys()], targets).size === 0) throw missingBlendshapesError(name)
   return { name, motion: motionOf(times, weights) }
 }
 

@@ -8,6 +8,7 @@ import { Choice } from './controls/choice.tsx'
 import { FileButton } from './controls/file-button.tsx'
 import { NumberSlider } from './controls/number-slider.tsx'
 import { Section } from './controls/section.tsx'
+import { TextField } from './controls/text-field.tsx'
 import type { PanelModel } from './model.ts'
 
 const KINDS = [
@@ -83,7 +84,6 @@ function Layer({ layer, isShown, isFirst, isLast, hasStrokes, editor, attempt }:
   const { name, kind, normalScale, maps, heightAmplitude, bloodAmplitude, onsetStrength, isOnsetDrawn } =
     layer
   const { sculpted } = layer
-  const id = useId()
   const labels = layerLabels(name)
   return (
     <details class="layer" open={isShown}>
@@ -92,22 +92,12 @@ function Layer({ layer, isShown, isFirst, isLast, hasStrokes, editor, attempt }:
         <span>{kind}</span>
       </summary>
       <div class="settings">
-        <div class="setting">
-          <label for={id}>{LAYER.name}</label>
-          <input
-            id={id}
-            type="text"
-            aria-label={labels.name}
-            autocomplete="off"
-            spellcheck={false}
-            value={name}
-            onChange={({ currentTarget }) => {
-              editor.rename(name, currentTarget.value)
-              // Show the old name, in case the new name is invalid. A valid name is shown when the document has changed.
-              currentTarget.value = name
-            }}
-          />
-        </div>
+        <TextField
+          label={LAYER.name}
+          fullLabel={labels.name}
+          value={name}
+          onChange={(next) => editor.rename(name, next)}
+        />
         <Choice
           label={LAYER.kind}
           options={KINDS}

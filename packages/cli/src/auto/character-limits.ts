@@ -1,4 +1,5 @@
 import type { Skin } from 'furrow/author'
+import { triangleNormal } from 'furrow/internal'
 import type { embedWrinkles } from 'furrow-files'
 
 type PackedWrinkles = Parameters<typeof embedWrinkles>[2]
@@ -44,11 +45,11 @@ function mapBytes({ layers, areas }: PackedWrinkles): number {
 
 /** Returns the area of a surface in the square of its unit. The largest surface of a character takes the most pixels on the screen. */
 export function surfaceArea({ positions, indices }: Pick<Skin, 'positions' | 'indices'>): number {
+  const normal = new Float64Array(3)
   let area = 0
   for (let t = 0; t + 2 < indices.length; t += 3) {
-    const [a, b, c] = [0, 1, 2].map((k) => 3 * indices[t + k])
-    const [u, v] = [b, c].map((corner) => [0, 1, 2].map((k) => positions[corner + k] - positions[a + k]))
-    area += Math.hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]) / 2
+    triangleNormal(normal, positions, indices[t], indices[t + 1], indices[t + 2])
+    area += Math.hypot(...normal) / 2
   }
   return area
 }

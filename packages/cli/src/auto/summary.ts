@@ -23,7 +23,7 @@ export function summaryOf(
     ...(report !== undefined && { report: join(report, 'index.html') }),
     bytes,
     total: {
-      areas: made.reduce((sum, { wrinkles }) => sum + areaCount(wrinkles), 0),
+      areas: totalAreas(made),
       file: made.reduce((sum, { cost }) => sum + cost.file, 0),
       gpu: made.reduce((sum, { cost }) => sum + cost.gpu, 0),
     },
@@ -66,6 +66,10 @@ function surfaceSummary({ found, wrinkles, cost }: WrinkledSurface) {
   }
 }
 
+function totalAreas(made: readonly Pick<WrinkledSurface, 'wrinkles'>[]): number {
+  return made.reduce((sum, { wrinkles }) => sum + areaCount(wrinkles), 0)
+}
+
 function areaCount(wrinkles: AutoWrinkles): number {
   return wrinkles.areas.length + wrinkles.jointAreas.length + areasWithoutLines(wrinkles).length
 }
@@ -84,7 +88,7 @@ export function summaryLines(made: readonly WrinkledSurface[], { output, report,
   const advice = `${ktx2 ? 'fewer --layers' : '--ktx2'} or a smaller --size saves memory`
   const total = (size: keyof Cost) => kilobytes(made.reduce((sum, { cost }) => sum + cost[size], 0))
   const onPhone = ktx2 ? ` (${total('phone')} on a phone, as ASTC)` : ''
-  const areas = made.reduce((sum, { wrinkles }) => sum + areaCount(wrinkles), 0)
+  const areas = totalAreas(made)
   const sizes = `in total ${areas} of at most ${CHARACTER_LIMITS.areas} areas; wrinkles: ${total('file')} in the file, ${total('gpu')} on the GPU${onPhone}; ${advice}`
   return [...made.flatMap((surface) => surfaceLines(surface, output)), sizes, ...page, OTHER_TOOLS]
 }

@@ -28,6 +28,11 @@ export function smoothstep(x: number): number {
 }
 
 /** Rounds `x` to a multiple of `1 / steps`. */
+/** Returns 1 up to `from`, 0 from `to` on, and values of `smoothstep` between. */
+export function fadeOut(x: number, [from, to]: readonly [from: number, to: number]): number {
+  return 1 - smoothstep((x - from) / (to - from))
+}
+
 export function rounded(x: number, steps: number): number {
   return Math.round(steps * x) / steps
 }

@@ -6,6 +6,7 @@ import { PLACES } from '../../labels/page.ts'
 import { REGION, regionLabels } from '../../labels/regions.ts'
 import { FileButton } from '../controls/file-button.tsx'
 import { NumberSlider } from '../controls/number-slider.tsx'
+import { TextField } from '../controls/text-field.tsx'
 import type { PanelModel } from '../model.ts'
 
 const COMBINATIONS: readonly { value: StudioArea['combine']; label: string }[] = [
@@ -48,26 +49,12 @@ export function ChosenArea({ model }: { model: PanelModel }) {
       <details>
         <summary>{PLACES.advanced}</summary>
         <div class="settings">
-          <div class="setting">
-            <label for={`${id}-name`}>{REGION.name}</label>
-            <input
-              id={`${id}-name`}
-              type="text"
-              autocomplete="off"
-              spellcheck={false}
-              value={name}
-              onChange={({ currentTarget }) => {
-                areas.rename(name, currentTarget.value)
-                // If another area has the new name, show the old name again.
-                currentTarget.value = areas.chosen.peek()?.name ?? name
-              }}
-            />
-          </div>
+          <TextField label={REGION.name} value={name} onChange={(next) => areas.rename(name, next)} />
           <LayerChoice area={area} model={model} />
           <div class="setting">
-            <label for={`${id}-combine`}>{REGION.overlap}</label>
+            <label for={id}>{REGION.overlap}</label>
             <select
-              id={`${id}-combine`}
+              id={id}
               title={REGION.overlapHint}
               value={area.combine}
               onChange={({ currentTarget }) =>

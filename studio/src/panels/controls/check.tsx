@@ -1,24 +1,40 @@
 import type { Signal } from '@preact/signals'
 import type { ComponentChildren } from 'preact'
 
-interface CheckProps {
-  value: Signal<boolean>
-  title?: string
+interface CheckBoxProps {
+  isChecked: boolean
+  title?: string | undefined
+  onChange(isChecked: boolean): void
   children: ComponentChildren
 }
 
 /** Check box with its label. */
-export function Check({ value, title, children }: CheckProps) {
+export function CheckBox({ isChecked, title, onChange, children }: CheckBoxProps) {
   return (
     <label class="check" title={title}>
       <input
         type="checkbox"
-        checked={value.value}
-        onChange={({ currentTarget }) => {
-          value.value = currentTarget.checked
-        }}
+        checked={isChecked}
+        onChange={({ currentTarget }) => onChange(currentTarget.checked)}
       />
       {children}
     </label>
+  )
+}
+
+interface CheckProps extends Pick<CheckBoxProps, 'title' | 'children'> {
+  value: Signal<boolean>
+}
+
+/** Check box that sets a signal. */
+export function Check({ value, ...props }: CheckProps) {
+  return (
+    <CheckBox
+      {...props}
+      isChecked={value.value}
+      onChange={(isChecked) => {
+        value.value = isChecked
+      }}
+    />
   )
 }

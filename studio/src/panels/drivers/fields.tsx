@@ -4,6 +4,7 @@ import type { Contribution } from 'furrow/internal'
 import { useId } from 'preact/hooks'
 import { curveNowLabel } from '../../labels/drivers.ts'
 import { LabelledGroup } from '../controls/labelled-group.tsx'
+import { TextField } from '../controls/text-field.tsx'
 import { type Axis, textOn } from './axes.ts'
 import type { DriverContext } from './context.ts'
 import { CurveEditor } from './curve-editor.tsx'
@@ -17,23 +18,15 @@ interface NameFieldProps {
 
 /** Text field for a name. Rejects an empty name. */
 export function NameField({ label, value, onChange }: NameFieldProps) {
-  const id = useId()
   return (
-    <div class="setting">
-      <label for={id}>{label}</label>
-      <input
-        id={id}
-        type="text"
-        autocomplete="off"
-        spellcheck={false}
-        value={value}
-        onChange={({ currentTarget }) => {
-          const name = currentTarget.value.trim()
-          if (name !== '' && name !== value) onChange(name)
-          else currentTarget.value = value
-        }}
-      />
-    </div>
+    <TextField
+      label={label}
+      value={value}
+      onChange={(text) => {
+        const name = text.trim()
+        if (name !== '' && name !== value) onChange(name)
+      }}
+    />
   )
 }
 

@@ -1,4 +1,3 @@
-import { useId } from 'preact/hooks'
 import {
   calibratingLabel,
   connectedLabel,
@@ -11,10 +10,12 @@ import {
 import { PLACES } from '../../labels/page.ts'
 import type { Live } from '../../live/live.ts'
 import { type LiveSettings, SOURCE_NAMES } from '../../live/settings.ts'
+import { CheckBox } from '../controls/check.tsx'
 import { Choice } from '../controls/choice.tsx'
 import { FileButton } from '../controls/file-button.tsx'
 import { LabelledGroup } from '../controls/labelled-group.tsx'
 import { Section } from '../controls/section.tsx'
+import { TextField } from '../controls/text-field.tsx'
 import type { PanelModel } from '../model.ts'
 
 const OPTIONS = SOURCE_NAMES.map((value) => ({ value, label: SOURCES[value] }))
@@ -147,31 +148,22 @@ interface SettingProps<T> {
 
 function Flag({ live, name, label, title }: SettingProps<boolean> & { title?: string }) {
   return (
-    <label class="check" title={title}>
-      <input
-        type="checkbox"
-        checked={live.settings.value[name] as boolean}
-        onChange={({ currentTarget }) => live.change({ [name]: currentTarget.checked })}
-      />
+    <CheckBox
+      isChecked={live.settings.value[name] as boolean}
+      title={title}
+      onChange={(isChecked) => live.change({ [name]: isChecked })}
+    >
       {label}
-    </label>
+    </CheckBox>
   )
 }
 
-function TextSetting({ live, name, label, placeholder }: SettingProps<string> & { placeholder?: string }) {
-  const id = useId()
+function TextSetting({ live, name, ...field }: SettingProps<string> & { placeholder?: string }) {
   return (
-    <div class="setting">
-      <label for={id}>{label}</label>
-      <input
-        id={id}
-        type="text"
-        autocomplete="off"
-        spellcheck={false}
-        placeholder={placeholder}
-        value={live.settings.value[name] as string}
-        onInput={({ currentTarget }) => live.change({ [name]: currentTarget.value.trim() })}
-      />
-    </div>
+    <TextField
+      {...field}
+      value={live.settings.value[name] as string}
+      onInput={(value) => live.change({ [name]: value.trim() })}
+    />
   )
 }

@@ -1,10 +1,10 @@
-import { useId } from 'preact/hooks'
 import { durationOf, type Take } from '../../document/take.ts'
 import { nameOfTakeLabel, TAKES } from '../../labels/live.ts'
 import { PLACES } from '../../labels/page.ts'
 import type { TakeEditor } from '../../session/take-editor.ts'
 import { FileButton } from '../controls/file-button.tsx'
 import { Section } from '../controls/section.tsx'
+import { TextField } from '../controls/text-field.tsx'
 import type { PanelModel } from '../model.ts'
 import { ClipList } from './clip-list.tsx'
 
@@ -34,25 +34,14 @@ interface ChosenTakeProps {
 
 function ChosenTake({ take, editor, attempt }: ChosenTakeProps) {
   const { name } = take
-  const id = useId()
   return (
     <div class="settings chosen-take">
-      <div class="setting">
-        <label for={id}>{TAKES.name}</label>
-        <input
-          id={id}
-          type="text"
-          aria-label={nameOfTakeLabel(name)}
-          autocomplete="off"
-          spellcheck={false}
-          value={name}
-          onChange={({ currentTarget }) => {
-            editor.rename(name, currentTarget.value.trim())
-            // Show the old name, in case the new name is invalid. A valid name is shown when the document has changed.
-            currentTarget.value = name
-          }}
-        />
-      </div>
+      <TextField
+        label={TAKES.name}
+        fullLabel={nameOfTakeLabel(name)}
+        value={name}
+        onChange={(next) => editor.rename(name, next.trim())}
+      />
       <div class="work">
         <button type="button" title={TAKES.saveHint} onClick={() => attempt(() => editor.save(take))}>
           {TAKES.save}

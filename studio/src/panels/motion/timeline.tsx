@@ -40,26 +40,18 @@ export function Timeline({ model }: { model: PanelModel }) {
         >
           {ANIMATION.stop}
         </button>
-        {take && (
-          <>
+        {take &&
+          (['in', 'out'] as const).map((end) => (
             <button
+              key={end}
               type="button"
-              title={ANIMATION.inHint}
-              aria-keyshortcuts="i"
-              onClick={() => takes.trimAtTime('in')}
+              title={ANIMATION[`${end}Hint`]}
+              aria-keyshortcuts={end[0]}
+              onClick={() => takes.trimAtTime(end)}
             >
-              {ANIMATION.in}
+              {ANIMATION[end]}
             </button>
-            <button
-              type="button"
-              title={ANIMATION.outHint}
-              aria-keyshortcuts="o"
-              onClick={() => takes.trimAtTime('out')}
-            >
-              {ANIMATION.out}
-            </button>
-          </>
-        )}
+          ))}
         <Check value={isLooped}>{ANIMATION.loop}</Check>
         <select
           aria-label={ANIMATION.speed}

@@ -1,4 +1,5 @@
 import type { AutoWrinkles, JointArea, Skin, SkinJoint } from 'furrow/author'
+import { dot, triangleNormal } from 'furrow/internal'
 import type { FoundSkin } from 'furrow-files'
 import type { CloseUpView, JointRotation } from '../../render/picture.ts'
 
@@ -108,6 +109,7 @@ function placeOf(
     [0, 0, 0],
     [0, 0, 0],
   ]
+  const cross = new Float64Array(3)
   let [total, squares] = [0, 0]
   for (let t = 0; t + 2 < indices.length; t += 3) {
     const corners = [indices[t], indices[t + 1], indices[t + 2]]
@@ -116,8 +118,7 @@ function placeOf(
     const weight = x < 0 || y < 0 || x >= width || y >= height ? 0 : data[y * width + x]
     if (!(weight > 0)) continue
     const [a, b, c] = corners.map((i) => [0, 1, 2].map((k) => positions[3 * i + k]))
-    const [p, q] = [b, c].map((corner) => corner.map((value, k) => value - a[k]))
-    const cross = [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]]
+    triangleNormal(cross, positions, indices[t], indices[t + 1], indices[t + 2])
     const share = (weight * Math.hypot(...cross)) / 2
     const centre = a.map((value, k) => (value + b[k] + c[k]) / 3)
     for (let k = 0; k < 3; k++) {
@@ -140,8 +141,4 @@ function columnOf({ bind }: SkinJoint, k: number): number[] {
   const column = [bind[4 * k], bind[4 * k + 1], bind[4 * k + 2]]
   const length = Math.hypot(...column) || 1
   return column.map((value) => value / length)
-}
-
-function dot(a: readonly number[], b: readonly number[]): number {
-  return a.reduce((sum, value, k) => sum + value * b[k], 0)
 }

@@ -1,12 +1,12 @@
 import { Rng } from '../../../math/rng.ts'
-import { clamp, smoothstep } from '../../../math/scalar.ts'
+import { clamp, fadeOut, smoothstep } from '../../../math/scalar.ts'
 import { FLEXION, type Hinged, hingeOf, OWN, placesAround, STRAINED } from '../limbs/hinge.ts'
 import type { LimbSkin } from '../limbs/limb-skin.ts'
 import type { RegionPlan } from '../limbs/region-plan.ts'
 import { DEGREE } from '../limbs/turn.ts'
 import type { HingedLimb } from '../skeleton/humanoid.ts'
 import { CLOTHS, type ClothKind } from './cloth-kinds.ts'
-import { layFolds, MAX_HEIGHT } from './lay-folds.ts'
+import { foldPlan } from './lay-folds.ts'
 import { crushMask, hemMask } from './masks.ts'
 import { tensionLines } from './tension-lines.ts'
 
@@ -64,8 +64,8 @@ function regionOf(
     if (along < ends[0] || along > ends[1] || away > 2.2 * radius) return 0
     const far = Math.abs(along) / radius
     return (
-      (1 - smoothstep((Math.abs(angle) / DEGREE - AROUND[0]) / (AROUND[1] - AROUND[0]))) *
-      (1 - smoothstep((far - ALONG[0]) / (ALONG[1] - ALONG[0]))) *
+      fadeOut(Math.abs(angle) / DEGREE, AROUND) *
+      fadeOut(far, ALONG) *
       smoothstep((on[point] - FROM) / (OWN - FROM)) *
       smoothstep((along - ends[0]) / wavelength) *
       smoothstep((ends[1] - along) / wavelength) *
@@ -95,16 +95,11 @@ function regionOf(
   return {
     name: `${joints[hinge].name} flexion`,
     turn,
-    spacing: wavelength,
-    creasedFraction: 1,
-    maxDepth: MAX_HEIGHT * wavelength,
-    reach: 0.55 * wavelength,
-    feather: 0.6 * wavelength,
+    ...foldPlan(limb, tube, strength, tensionLines),
     looseness: looseness * radius,
     strained: STRAINED,
     links: [{ turn, rest: 0, full: 1 }],
     pair: kind,
     rank: 6,
-    crease: (tensors) => layFolds(limb, tube, tensors, strength, tensionLines),
   }
 }

@@ -7,7 +7,23 @@ import { fitHeights } from './fit-heights.ts'
 import { type Ridge, traceRidges } from './ridges.ts'
 
 /** Maximum height of a fold in wavelengths. Neighbouring cloth and the body limit it. */
-export const MAX_HEIGHT = 0.3
+const MAX_HEIGHT = 0.3
+
+/** Returns further lines on the chart of a tube. */
+type MoreLines = (samples: ChartSamples, tube: ClothTube) => Ridge[]
+
+/** Returns the part of a region's plan that all folds of cloth share. See `layFolds` for the parameters. */
+export function foldPlan(limb: LimbSkin, tube: ClothTube, strength: number, more?: MoreLines) {
+  const { wavelength } = tube
+  return {
+    spacing: wavelength,
+    creasedFraction: 1,
+    maxDepth: MAX_HEIGHT * wavelength,
+    reach: 0.55 * wavelength,
+    feather: 0.6 * wavelength,
+    crease: (tensors: Float64Array) => layFolds(limb, tube, tensors, strength, more),
+  }
+}
 
 /**
  * Lets the cloth of a tube buckle, and converts its folds to strokes.
@@ -17,12 +33,12 @@ export const MAX_HEIGHT = 0.3
  * @param more returns further lines on the chart.
  * @returns undefined if the mesh has no cloth there.
  */
-export function layFolds(
+function layFolds(
   { prepared }: LimbSkin,
   tube: ClothTube,
   tensors: Float64Array,
   strength: number,
-  more: (samples: ChartSamples, tube: ClothTube) => Ridge[] = () => [],
+  more: MoreLines = () => [],
 ): RegionCreases | undefined {
   const { wavelength } = tube
   const cloth = buckleCloth(prepared.surface, tube, tensors)

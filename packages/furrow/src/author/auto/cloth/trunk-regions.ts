@@ -1,6 +1,6 @@
 import { atan2 } from '../../../math/elementary.ts'
 import { Rng } from '../../../math/rng.ts'
-import { smoothstep } from '../../../math/scalar.ts'
+import { fadeOut, smoothstep } from '../../../math/scalar.ts'
 import { dot, length } from '../../../math/vector.ts'
 import { across, add, crossed, scale, subtract, unit, type Vector, vectorAt } from '../../../math/vector3.ts'
 import { SIDES } from '../anatomy/region.ts'
@@ -12,7 +12,7 @@ import { ancestorsOf, subtreeOf } from '../skeleton/hierarchy.ts'
 import type { TrunkJoints } from '../skeleton/humanoid.ts'
 import { TENSOR_SIZE } from '../surface/tensors.ts'
 import { CLOTHS, type ClothKind } from './cloth-kinds.ts'
-import { layFolds, MAX_HEIGHT } from './lay-folds.ts'
+import { foldPlan } from './lay-folds.ts'
 import { hemMask } from './masks.ts'
 
 /** How the cloth of a trunk folds when the trunk moves in one direction. */
@@ -128,7 +128,7 @@ export function trunkRegions(
         const [low, high] = fold.along
         return (
           smoothstep((own[point] - OWN[0]) / (OWN[1] - OWN[0])) *
-          (1 - smoothstep((Math.abs(angle) / DEGREE - fold.span[0]) / (fold.span[1] - fold.span[0]))) *
+          fadeOut(Math.abs(angle) / DEGREE, fold.span) *
           smoothstep((along / tall - low) / FADE + 1) *
           smoothstep((high - along / tall) / FADE + 1) *
           hem(point)
@@ -147,16 +147,11 @@ export function trunkRegions(
     return {
       name: `${skeleton.joints[top].name} ${fold.name}`,
       turn,
-      spacing: wavelength,
-      creasedFraction: 1,
-      maxDepth: MAX_HEIGHT * wavelength,
-      reach: 0.55 * wavelength,
-      feather: 0.6 * wavelength,
+      ...foldPlan(limb, tube, strength),
       looseness: LOOSENESS * radius,
       moved,
       links: [{ turn, rest: 0, full: 1, slack: SLACK }],
       rank: 5,
-      crease: (tensors) => layFolds(limb, tube, tensors, strength),
     }
   })
 }

@@ -1,9 +1,9 @@
 import { Rng } from '../../../math/rng.ts'
-import { lerp, smoothstep } from '../../../math/scalar.ts'
+import { fadeOut, lerp } from '../../../math/scalar.ts'
 import { length } from '../../../math/vector.ts'
 import { across, crossed, scale, subtract, unit, type Vector, vectorAt } from '../../../math/vector3.ts'
 import { CLOTHS, type ClothKind } from '../cloth/cloth-kinds.ts'
-import { layFolds, MAX_HEIGHT } from '../cloth/lay-folds.ts'
+import { foldPlan } from '../cloth/lay-folds.ts'
 import { crushMask, hemMask } from '../cloth/masks.ts'
 import { aroundLimb, type LimbFrame } from '../limbs/limb-chart.ts'
 import { layLimbFilm } from '../limbs/limb-film.ts'
@@ -112,13 +112,8 @@ export function clothTubes(limb: LimbSkin, cloth: ClothKind, { seed, strength }:
       }
       return {
         ...sharedPlan(tube, name, turn),
-        spacing: wavelength,
-        creasedFraction: 1,
-        maxDepth: MAX_HEIGHT * wavelength,
-        reach: 0.55 * wavelength,
-        feather: 0.6 * wavelength,
+        ...foldPlan(limb, film, strength),
         looseness: looseness * tube.radius,
-        crease: (tensors) => layFolds(limb, film, tensors, strength),
       }
     }),
   )
@@ -151,7 +146,7 @@ function tubeAt(limb: LimbSkin, bend: ChainBend): Tube | undefined {
   if (sectors.size < SECTORS || at(0.9) - at(0.1) > 2 * UNEVEN * at(0.5)) return undefined
   const along = Float64Array.from(own, (weight, point) =>
     weight > OWN && places[point].radius < 2 * at(0.5)
-      ? 1 - smoothstep((Math.abs(places[point].along) / shorter - ALONG[0]) / (ALONG[1] - ALONG[0]))
+      ? fadeOut(Math.abs(places[point].along) / shorter, ALONG)
       : 0,
   )
   return { ...bend, frame, radius: at(0.5), along }
@@ -172,7 +167,7 @@ function turnsOf(limb: LimbSkin, { joint, above, frame, along }: Tube) {
     const weight = (point: number) => {
       if (!(along[point] > 0)) return 0
       const { angle } = aroundLimb(own, vectorAt(points, point))
-      return along[point] * (1 - smoothstep((Math.abs(angle) / DEGREE - AROUND[0]) / (AROUND[1] - AROUND[0])))
+      return along[point] * fadeOut(Math.abs(angle) / DEGREE, AROUND)
     }
     const full = rotations.length > 0 ? seen : { ...turn, full: CONE * DEGREE }
     return [{ name: `${name} bend ${i + 1}`, turn: full, frame: own, weight }]

@@ -1,6 +1,6 @@
 import { cos, sin } from '../../../math/elementary.ts'
 import { Rng } from '../../../math/rng.ts'
-import { lerp, smoothstep } from '../../../math/scalar.ts'
+import { fadeOut, lerp, smoothstep } from '../../../math/scalar.ts'
 import { dot, length } from '../../../math/vector.ts'
 import { across, crossed, subtract, unit, type Vector, vectorAt } from '../../../math/vector3.ts'
 import { type LineStyle, SIDES } from '../anatomy/region.ts'
@@ -135,7 +135,7 @@ export function neckRegions(
     const weight =
       smoothstep((facing - FACING[0]) / (FACING[1] - FACING[0])) *
       smoothstep((moved[i] - MOVED[0]) / (MOVED[1] - MOVED[0])) *
-      (1 - smoothstep((above[i] - ON_HEAD[0]) / (ON_HEAD[1] - ON_HEAD[0])))
+      fadeOut(above[i], ON_HEAD)
     return weight > 0 ? { angle, along, radius, weight } : undefined
   })
   const radii = skin.flatMap((found) => found?.radius ?? []).sort((a, b) => a - b)

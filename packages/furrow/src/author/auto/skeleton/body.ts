@@ -8,7 +8,7 @@ import {
   FINGERS,
   type Finger,
 } from './bone-names.ts'
-import { ancestorsOf, commonAncestor, movedSkin } from './hierarchy.ts'
+import { ancestorsOf, commonAncestor, lineTo, movedSkin } from './hierarchy.ts'
 import type { Body, HandJoints, HingedLimb, NeckJoints, TrunkJoints } from './humanoid.ts'
 import { findLimbsByName, movesBothHalves } from './limb-joints.ts'
 import { findLimbsByShape } from './limbs-by-shape.ts'
@@ -56,7 +56,7 @@ function trunkBetween(
   }
   const [base, top] = [meetingOf('knee'), meetingOf('elbow')]
   if (base === undefined || top === undefined) return undefined
-  const line = [...ancestorsOf(joints, top), top]
+  const line = lineTo(joints, top)
   const chain = line.slice(line.indexOf(base) + 1)
   // A shirt follows most of the spine, but trousers and a collar do not.
   const moving = chain.filter((joint) => isMoving[joint]).length
@@ -97,7 +97,7 @@ function neckByName(
   const all = [...joints.keys()].filter((i) => names[i]?.part === 'neck' || names[i]?.part === 'head')
   const deepest = all.sort((a, b) => depthOf(b) - depthOf(a)).find((i) => isMoving[i])
   if (deepest === undefined) return undefined
-  const line = [...ancestorsOf(joints, deepest), deepest]
+  const line = lineTo(joints, deepest)
   const chain = line.filter((joint) => all.includes(joint))
   const base = joints[chain[0]].parent
   return base < 0 ? undefined : { base, chain }

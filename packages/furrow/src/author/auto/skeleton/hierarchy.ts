@@ -11,6 +11,11 @@ export function ancestorsOf(joints: readonly SkinJoint[], joint: number): number
   return above
 }
 
+/** Returns a joint with its ancestors, from the root down. */
+export function lineTo(joints: readonly SkinJoint[], joint: number): number[] {
+  return [...ancestorsOf(joints, joint), joint]
+}
+
 /** Returns the indices of the joints whose parent is the given joint. */
 export function childrenOf(joints: readonly SkinJoint[], joint: number): number[] {
   return [...joints.keys()].filter((i) => joints[i].parent === joint)

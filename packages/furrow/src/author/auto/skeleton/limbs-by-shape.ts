@@ -2,7 +2,7 @@ import { dot, length } from '../../../math/vector.ts'
 import { subtract, unit, type Vector } from '../../../math/vector3.ts'
 import type { SkinSkeleton } from '../../skin/skeleton.ts'
 import type { Hinge } from './bone-names.ts'
-import { ancestorsOf, childrenOf, commonAncestor, placeOf, subtreeOf } from './hierarchy.ts'
+import { ancestorsOf, childrenOf, commonAncestor, lineTo, placeOf, subtreeOf } from './hierarchy.ts'
 import type { HingedLimb } from './humanoid.ts'
 import { EXTENDED, RATIO } from './limb-joints.ts'
 
@@ -49,7 +49,7 @@ export function findLimbsByShape(skeleton: SkinSkeleton, wrists: readonly number
     .sort((a, b) => a.depth - b.depth)[0]
   if (!found) return []
   const chainTo = (first: number, end: number) => {
-    const line = [...ancestorsOf(joints, end), end]
+    const line = lineTo(joints, end)
     return line.slice(line.indexOf(first))
   }
   const arms = found.arms.first.map((first) => {
@@ -69,7 +69,7 @@ function armsOf(skeleton: SkinSkeleton, hands: readonly number[], lengths: Float
   const joint = hands.length === 2 ? commonAncestor(joints, hands) : undefined
   if (joint === undefined) return undefined
   const first = hands.map((hand) => {
-    const line = [...ancestorsOf(joints, hand), hand]
+    const line = lineTo(joints, hand)
     return line[line.indexOf(joint) + 1]
   })
   const reach = Math.max(...first.map((child) => reachBelow(skeleton, child, lengths)))
@@ -82,7 +82,7 @@ function legsOf(skeleton: SkinSkeleton, arms: Pair, lengths: Float64Array): Pair
   const beyond = subtreeOf(joints, arms.joint)
   const hasNeck = childrenOf(joints, arms.joint).length > arms.first.length
   if (!hasNeck) return undefined
-  const spine = [...ancestorsOf(joints, arms.joint), arms.joint]
+  const spine = lineTo(joints, arms.joint)
   return [...joints.keys()]
     .filter((joint) => !beyond[joint])
     .flatMap((joint) => pairAt(skeleton, joint, lengths, spine) ?? [])
