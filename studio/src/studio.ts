@@ -221,7 +221,12 @@ export class Studio {
       onSkin: (hit) => pointer.point(hit),
       attempt,
     })
-    this.#resume = new Resume({ host: this.#host, workspace: this.#workspace, link: this.#link })
+    this.#resume = new Resume({
+      host: this.#host,
+      workspace: this.#workspace,
+      link: this.#link,
+      meshes: this.#face.meshes,
+    })
     const { chosen } = this.#lines.editor
     const hints = new Hints({
       isSelected: computed(() => areas.chosen.value !== null || chosen.value !== null),
@@ -357,8 +362,10 @@ export class Studio {
     })
     this.#loading.done()
     if (!this.#viewer) return
-    if (place) this.#link.restore(place.scene)
-    else if (!this.#link.show()) this.#face.play('surprised')
+    if (place) {
+      this.#link.restore(place.scene)
+      this.#face.meshes.restore(this.#viewer, place.hidden)
+    } else if (!this.#link.show()) this.#face.play('surprised')
   }
 
   /** Returns a function that loads the project or the face of a place, or null if the place has neither. */

@@ -1,5 +1,6 @@
 import type { PageLink } from '../link/page-link.ts'
 import type { Workspace } from '../session/workspace.ts'
+import type { MeshVisibility } from '../viewer/mesh-visibility.ts'
 import type { ViewerHost } from '../viewer/viewer-host.ts'
 
 /** Key of `sessionStorage`, which each tab has of its own. */
@@ -11,12 +12,15 @@ export interface Place {
   readonly face?: string
   /** Hash of a link with pose, camera and light. */
   readonly scene: string
+  /** Indices of the hidden meshes in `Viewer.meshes`. */
+  readonly hidden: readonly number[]
 }
 
 export interface ResumeParts {
   host: ViewerHost
   workspace: Workspace
   link: PageLink
+  meshes: MeshVisibility
 }
 
 /** Remembers where the user is when the page closes, so that a reload continues there. */
@@ -40,16 +44,19 @@ export class Resume {
   }
 
   #save(): void {
-    const { host, workspace, link } = this.#parts
-    const [scene, avatar] = [link.hash(), host.viewer?.avatar]
+    const { host, workspace, link, meshes } = this.#parts
+    const [scene, viewer] = [link.hash(), host.viewer]
     const project = workspace.keeping.kept.peek()?.id
     try {
-      if (scene === null || !avatar) {
+      if (scene === null || !viewer) {
         sessionStorage.removeItem(KEY)
         return
       }
+      const { avatar } = viewer
+      const hidden = meshes.hidden.peek()
       const place: Place = {
         scene,
+        hidden: viewer.meshes.flatMap((mesh, i) => (hidden.has(mesh) ? [i] : [])),
         ...(project !== undefined && { project }),
         ...(avatar.address !== undefined && { face: avatar.name }),
       }
@@ -60,10 +67,11 @@ export class Resume {
 
 function placeOf(value: unknown): Place | null {
   if (typeof value !== 'object' || value === null) return null
-  const { project, face, scene } = value as Record<string, unknown>
+  const { project, face, scene, hidden } = value as Record<string, unknown>
   if (typeof scene !== 'string') return null
   return {
     scene,
+    hidden: Array.isArray(hidden) ? hidden : [],
     ...(typeof project === 'string' && { project }),
     ...(typeof face === 'string' && { face }),
   }

@@ -36,8 +36,9 @@ export class ToolHost {
     if (this.#tool === tool) this.choose(null)
   }
 
-  /** Chooses a tool, or null for the camera only. */
+  /** Chooses a tool, or null for the camera only. Choosing the same tool again does not end its gesture. */
   choose(tool: StageTool | null): void {
+    if (tool === this.#tool) return
     this.cancel()
     this.#tool?.hover?.(null)
     this.#tool = tool

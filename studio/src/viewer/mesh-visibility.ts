@@ -23,6 +23,11 @@ export class MeshVisibility {
     return this.#hidden
   }
 
+  /** Hides the meshes with these indices in `Viewer.meshes`, and shows the others. Ignores indices without a mesh. */
+  restore({ meshes }: Viewer, indices: readonly number[]): void {
+    this.#hidden.value = new Set(indices.flatMap((i) => meshes[i] ?? []))
+  }
+
   toggle(mesh: Mesh): void {
     const hidden = new Set(this.#hidden.peek())
     if (!hidden.delete(mesh)) hidden.add(mesh)

@@ -56,6 +56,15 @@ it('passes the events of a pointer to the tool, from its start to its end', () =
   expect(calls).toEqual(['begin 10', 'move 20', 'end'])
 })
 
+it('continues the gesture if the same tool is chosen again, and cancels it if another one is', () => {
+  send('pointerdown', 10)
+  host.choose(tool)
+  send('pointermove', 20)
+  host.choose(null)
+  send('pointermove', 30)
+  expect(calls).toEqual(['begin 10', 'move 20', 'cancel'])
+})
+
 it('queues pointer events while the tool waits, and passes them afterwards', async () => {
   let ready = () => {}
   waiting = new Promise<void>((resolve) => {
