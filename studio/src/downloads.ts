@@ -1,6 +1,7 @@
 import { jsonFile } from 'furrow-files'
 import { presetOf } from './document/preset.ts'
 import type { ExportOptions } from './export/export-document.ts'
+import { NOTE, savedLabel, savedPresetLabel, savedToFolderLabel } from './labels/messages.ts'
 import type { Live } from './live/live.ts'
 import type { Messages } from './messages.ts'
 import { saveFile } from './save-file.ts'
@@ -28,7 +29,7 @@ export class Downloads {
       const state = this.#workspace.exporting.state.peek()
       if (state?.kind !== 'done') return
       saveFile(new Blob([state.face.bytes as BlobPart]), state.name)
-      this.#messages.note(`Saved ${state.name}`)
+      this.#messages.note(savedLabel(state.name))
     })
   }
 
@@ -43,7 +44,7 @@ export class Downloads {
   saveToFolder(isOtherFolder: boolean): Promise<unknown> {
     return this.#messages.attempt(async () => {
       const name = await this.#saving.toFolder(isOtherFolder)
-      if (name !== null) this.#messages.note(`Saved to the folder ${name}`)
+      if (name !== null) this.#messages.note(savedToFolderLabel(name))
     })
   }
 
@@ -60,9 +61,7 @@ export class Downloads {
     const text = jsonFile({ version: 1, ...presetOf(settings.peek()) }) as BlobPart
     const name = `${viewer.avatar.name}-preset.json`
     saveFile(new Blob([text], { type: 'application/json' }), name)
-    this.#messages.note(
-      `Saved ${name}. It has the settings of automatic wrinkles, without lines, paint and sculpting`,
-    )
+    this.#messages.note(savedPresetLabel(name))
   }
 
   /** Saves the calibration of a person for the source that runs. */
@@ -75,7 +74,7 @@ export class Downloads {
   copyCode(text: string): Promise<unknown> {
     return this.#messages.attempt(async () => {
       await navigator.clipboard.writeText(text)
-      this.#messages.note('Copied the code')
+      this.#messages.note(NOTE.copiedCode)
     })
   }
 
@@ -85,7 +84,7 @@ export class Downloads {
       viewer.draw()
       const words = ['furrow', viewer.avatar.name, expression, viewer.look.name]
       await savePicture(viewer.canvas, `${words.filter(Boolean).join('-')}.png`)
-      this.#messages.note('Saved the picture')
+      this.#messages.note(NOTE.savedPicture)
     })
   }
 
@@ -96,7 +95,7 @@ export class Downloads {
       const { drawUvPicture } = await import('./texture/uv-picture.ts')
       const { skins, skin } = viewer.avatar
       await savePicture(drawUvPicture(skins[skin].meshes), `${viewer.avatar.name}-uv.png`)
-      this.#messages.note('Saved the UV layout: paint over it')
+      this.#messages.note(NOTE.savedLayout)
     })
   }
 }

@@ -11,7 +11,9 @@ import { type Place, Resume } from './first/resume.ts'
 import { Reveal } from './first/reveal.ts'
 import { keepFocus } from './keep-focus.ts'
 import { FULL_TAKE } from './labels/live.ts'
+import { PROGRESS } from './labels/messages.ts'
 import { moreLabel, PAGE } from './labels/page.ts'
+import { lookLabel } from './labels/stage.ts'
 import { nextTask } from './later.ts'
 import { FillOffer } from './lines/fill-offer.ts'
 import { Lines } from './lines/lines.ts'
@@ -48,7 +50,6 @@ import { ToolHost } from './tools/tool-host.ts'
 import { adapterName } from './viewer/adapter.ts'
 import { DocumentView, type DrawnDocument } from './viewer/document-view.ts'
 import { listFaces } from './viewer/faces.ts'
-import { lookLabel } from './viewer/looks/look.ts'
 import { ShownFace } from './viewer/shown-face.ts'
 import type { Viewer } from './viewer/viewer.ts'
 import { type LoadAvatar, ViewerHost } from './viewer/viewer-host.ts'
@@ -348,7 +349,7 @@ export class Studio {
    * names (`?face=human-2`). Without these, the empty stage offers files and faces. `?renderer=webgpu` chooses the renderer.
    */
   async start(): Promise<void> {
-    this.#loading.show('Listing faces')
+    this.#loading.show(PROGRESS.faces)
     const query = new URLSearchParams(location.search)
     if (query.get('renderer') === 'webgpu') this.#opening.firstKind = 'webgpu'
     const place = this.#resume.read()

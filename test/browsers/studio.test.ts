@@ -155,7 +155,7 @@ describe.each(DRIVEN)('studio in %s', (_, kind) => {
       const stage = await window.find('#viewport')
       const [x, y] = [stage.x + stage.width / 2, stage.y + CHIN * stage.height]
       await window.drag([0, 1, 2, 3, 4].map((i) => [x + 10 * i, y - 5 * i] as const))
-      await window.until("furrowTest.findElement('button', 'Undo').title === 'Undo: Paint chin'")
+      await window.until("furrowTest.findElement('button', 'Undo').title === 'Undo: Paint Chin'")
       await save('painted')
       await window.click('button', 'Select')
     })

@@ -142,7 +142,7 @@ async function expectSameStroke(label: string): Promise<void> {
 test('a brush stroke and the next one are complete if the graphics are lost during the first stroke', async () => {
   await areaChoice(page, 'chin').check()
   await chooseTool(page, 'Paint')
-  await expectSameStroke('Paint chin')
+  await expectSameStroke('Paint Chin')
   await chooseTool(page, 'Select')
   await button(page, 'Whole face').click()
 })

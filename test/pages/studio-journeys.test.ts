@@ -165,7 +165,7 @@ test('paint a wrinkle', async () => {
   })
   const before = await shootAside(page)
   await click(button(page, 'Fill with lines'))
-  await undoIs(page, 'Fill painted with lines')
+  await undoIs(page, 'Fill Painted with lines')
   await click(button(page, 'Always'))
   await eventually(async () => {
     expect(await meanPngDifference(before, await shootAside(page))).toBeGreaterThan(0.02)

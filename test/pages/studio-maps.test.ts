@@ -2,6 +2,7 @@
 
 import type { Page } from 'playwright-core'
 import { beforeAll, expect, test } from 'vitest'
+import { regionLabel } from '../../studio/src/labels/names.ts'
 import { openStudio } from './opened-studio.ts'
 import {
   areaChoice,
@@ -67,7 +68,7 @@ test('a stroke on the texture paints the same place on the face and in the thumb
   await page.mouse.down()
   await page.mouse.move(x + 0.54 * width, y + 0.55 * height, { steps: 5 })
   await page.mouse.up()
-  await undoIs(page, `Paint ${AREA}`)
+  await undoIs(page, `Paint ${regionLabel(AREA)}`)
   const painted = await shootAside(page)
   expect(await meanPngDifference(before, painted)).toBeGreaterThan(0.1)
   await eventually(async () => expect(await thumbnail()).not.toBe(small))
@@ -97,7 +98,7 @@ test('a polygon on the texture paints its inside on the face, and is outlined wh
   })
   // Clicking the first point again closes the polygon.
   await page.mouse.click(x + corners[0][0] * width, y + corners[0][1] * height)
-  await undoIs(page, `Paint ${AREA}`)
+  await undoIs(page, `Paint ${regionLabel(AREA)}`)
   expect(await meanPngDifference(face, await shootAside(page))).toBeGreaterThan(0.1)
   await button(page, 'Undo').click()
   await expectPicture(page, face)
@@ -140,7 +141,7 @@ test('an area is painted by a polygon, filled from an image, and mirrored', asyn
   expect(await button(page, 'Close polygon').isDisabled()).toBe(true)
   await draw()
   await page.keyboard.press('Enter')
-  await undoIs(page, 'Paint crowsFeetLeft')
+  await undoIs(page, 'Paint Crow’s feet, left')
   const painted = await shootAside(page)
   expect(await meanPngDifference(before, painted)).toBeGreaterThan(0.5)
   await draw()
@@ -148,11 +149,11 @@ test('an area is painted by a polygon, filled from an image, and mirrored', asyn
   await page.mouse.click(x + u * width + 2, y + v * height - 2)
   expect(await button(page, 'Clear').isDisabled()).toBe(true)
   await button(page, 'Copy to the other side').click()
-  await undoIs(page, 'Mirror crowsFeetLeft')
+  await undoIs(page, 'Mirror Crow’s feet, left')
   expect(await areaChoice(page, 'crowsFeetRight').isChecked()).toBe(true)
-  const input = page.getByLabel('Fill crowsFeetRight from an image')
+  const input = page.getByLabel('Fill Crow’s feet, right from an image')
   await input.setInputFiles({ name: 'all.png', mimeType: 'image/png', buffer: await blackPng() })
-  await undoIs(page, 'Fill crowsFeetRight from an image')
+  await undoIs(page, 'Fill Crow’s feet, right from an image')
   while (await button(page, 'Undo').isEnabled()) await button(page, 'Undo').click()
   await areaChoice(page, 'crowsFeetLeft').check()
   await expectPicture(page, before)

@@ -1,6 +1,7 @@
 import type { Page } from 'playwright-core'
 import sharp from 'sharp'
 import { beforeAll, expect, test, vi } from 'vitest'
+import { regionLabel } from '../../studio/src/labels/names.ts'
 import { writePlain } from './avatars.ts'
 import { openStudio } from './opened-studio.ts'
 import {
@@ -51,7 +52,7 @@ test('a stroke on the cheek paints the selected area there, and undo removes it 
   const before = await shootAside(page)
   await stroke()
   await page.mouse.up()
-  await undoIs(page, `Paint ${AREA}`)
+  await undoIs(page, `Paint ${regionLabel(AREA)}`)
   const painted = await shootAside(page)
   expect(await differenceAt(before, painted, cheek)).toBeGreaterThan(15)
   expect(await differenceAt(before, painted, { x: cheek.x, y: cheek.y - 150 })).toBe(0)
@@ -153,7 +154,7 @@ test('painted skin without lines can be filled with lines', async () => {
   await page.mouse.up()
   const card = page.getByRole('region', { name: 'Fill with lines' })
   await card.getByRole('button', { name: 'Fill with lines' }).click()
-  await undoIs(page, 'Fill area with lines')
+  await undoIs(page, 'Fill Area with lines')
   expect(await card.count()).toBe(0)
 })
 

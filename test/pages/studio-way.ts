@@ -139,10 +139,10 @@ function walk(file: string, heights: Heights, make: Avatar['make']) {
     await page.mouse.down()
     await page.mouse.move(x + 90, y - 40, { steps: 8 })
     await page.mouse.up()
-    await undoIs(page, 'Paint chin')
+    await undoIs(page, 'Paint Chin')
     await picture('paint')
     await chooseTool(page, 'Select')
-    steps.push('Paint chin')
+    steps.push('Paint Chin')
   })
 
   step("a line can be drawn across the texture's seam", async () => {

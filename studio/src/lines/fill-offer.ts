@@ -3,6 +3,7 @@ import { FurrowError, type GrayImage } from 'furrow'
 import type { SkinCanvas, Uv } from 'furrow/author'
 import { texelAt } from 'furrow/internal'
 import type { StudioArea, StudioDocument } from '../document/document.ts'
+import { fillWithLinesStep } from '../labels/steps.ts'
 import type { AreaEditor } from '../session/area-editor.ts'
 import type { Session } from '../session/session.ts'
 
@@ -62,7 +63,7 @@ export class FillOffer {
     void attempt(async () => {
       const [{ fillArea }, skin] = await Promise.all([import('./fill-area.ts'), canvas()])
       if (!skin) throw noSkinError(name)
-      session.edit(`Fill ${name} with lines`, (document) => fillArea(document, name, skin))
+      session.edit(fillWithLinesStep(name), (document) => fillArea(document, name, skin))
       onFilled()
     })
   }

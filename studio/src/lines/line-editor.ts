@@ -12,6 +12,7 @@ import {
 import type { LayerStroke, StudioDocument } from '../document/document.ts'
 import { otherSide } from '../document/sides.ts'
 import { replaceStroke, replaceStrokes } from '../document/strokes.ts'
+import { lineFieldsStep, linesStep, STEP } from '../labels/steps.ts'
 import type { Session } from '../session/session.ts'
 import { Counterparts } from './counterpart.ts'
 import type { Handle } from './handles.ts'
@@ -190,7 +191,7 @@ export class LineEditor {
   insertPoint(along: number): void {
     let index = -1
     this.#change(
-      'Add a point',
+      STEP.addPoint,
       (stroke, { canvas }) => {
         const inserted = insertPoint(stroke, along, canvas)
         index = inserted.index
@@ -221,7 +222,7 @@ export class LineEditor {
     if (!stroke || !canvas || (fork && knot < 0)) return
     this.point.value = -1
     if (knot >= 0 && splineOf(stroke, canvas).points.length > 2)
-      this.#changeTrunks('Remove a point', [this.#selection.index], () => removePoint(stroke, knot, canvas), {
+      this.#changeTrunks(STEP.removePoint, [this.#selection.index], () => removePoint(stroke, knot, canvas), {
         removed: knot,
       })
     else this.removeLine()
@@ -234,7 +235,7 @@ export class LineEditor {
     const chosen = new Map(indices.map((index) => [index, document.strokes[index]]))
     const all = [...this.#withCounterparts(chosen, document).keys()]
     const key = this.mode.peek() === 'erase' ? 'erase' : undefined
-    this.session.edit(labelOf('Remove', indices), (old) => removeLines(old, all), key)
+    this.session.edit(linesStep('Remove', indices.length), (old) => removeLines(old, all), key)
     this.choose(null)
   }
 
@@ -243,7 +244,7 @@ export class LineEditor {
     const { indices } = this.#selection
     const make = (stroke: LayerStroke, { canvas }: LineSurface) => smoothStroke(stroke, SMOOTHING, canvas)
     const key = this.mode.peek() === 'smooth' ? 'smooth' : undefined
-    this.#changeTrunks(labelOf('Smooth', indices), indices, make, { key })
+    this.#changeTrunks(linesStep('Smooth', indices.length), indices, make, { key })
   }
 
   /** Shortens the chosen line at its ends that are in forks. If it ends in the chosen fork, changes only that end. */
@@ -253,14 +254,14 @@ export class LineEditor {
     const strokes = this.session.document.peek()?.strokes ?? []
     const isEnd = fork?.ends.some(({ stroke }) => stroke === index)
     const forks = fork && isEnd ? [fork] : this.forks.peek()
-    this.#change('Detach a line', (_, { lines }) => [detachStroke(strokes, index, forks, lines)])
+    this.#change(STEP.detachLine, (_, { lines }) => [detachStroke(strokes, index, forks, lines)])
     this.point.value = -1
   }
 
   /** Splits the main line at its chosen point or fork, or in the middle. The first part stays chosen. */
   split(): void {
     const { handle, index } = this.#selection
-    this.#change('Split a line', (stroke, surface) => splitAt(stroke, handle, surface))
+    this.#change(STEP.splitLine, (stroke, surface) => splitAt(stroke, handle, surface))
     this.#selection.chooseIndices([index])
   }
 
@@ -269,7 +270,7 @@ export class LineEditor {
     const [{ indices }, surface] = [this.#selection, this.#surface()]
     if (indices.length === 0 || !surface) return
     const { canvas, middle } = surface
-    this.session.edit(labelOf('Mirror', indices), (document) =>
+    this.session.edit(linesStep('Mirror', indices.length), (document) =>
       indices.reduce(
         (added, index) => addLine(added, mirrorStroke(document.strokes[index], canvas, middle), canvas),
         document,
@@ -292,7 +293,7 @@ export class LineEditor {
       waviness: 0,
     }
     const known = new Set(this.session.document.peek()?.areas.map(({ name }) => name))
-    this.session.edit('Draw a line', (document) =>
+    this.session.edit(STEP.drawLine, (document) =>
       this.mirrored.peek() ? addWithImage(document, line, surface) : addLine(document, line, surface.canvas),
     )
     const { strokes, areas } = this.session.document.peek()!
@@ -314,7 +315,7 @@ export class LineEditor {
     const all = this.mirrored.peek()
       ? this.#counterparts.add(changed, document.strokes, surface, (other, _, index) => change(other, index))
       : changed
-    const label = `Change the ${Object.keys(fields)} of ${nounOf(indices)}`
+    const label = lineFieldsStep(Object.keys(fields) as (keyof LineShape)[], indices.length)
     this.session.edit(label, (old) => replaceStrokes(old, all), this.#keyOf(`shape-${Object.keys(fields)}`))
   }
 
@@ -337,7 +338,7 @@ export class LineEditor {
     const all = this.mirrored.peek()
       ? this.#counterparts.add(changed, document.strokes, surface, (stroke) => ({ ...stroke, group: other }))
       : changed
-    this.session.edit(`Change the group of ${nounOf(others)}`, (old) =>
+    this.session.edit(lineFieldsStep(['group'], others.length), (old) =>
       [...all.values()].reduce(
         (next, stroke) => coverLine(next, stroke, surface.canvas),
         replaceStrokes(old, all),
@@ -352,7 +353,7 @@ export class LineEditor {
       return
     }
     const { indices } = this.#selection
-    this.session.edit(`Change the layer of ${nounOf(indices)}`, (document) =>
+    this.session.edit(lineFieldsStep(['layer'], indices.length), (document) =>
       replaceStrokes(
         document,
         new Map(indices.map((index) => [index, { ...document.strokes[index], layer }])),
@@ -426,15 +427,6 @@ export class LineEditor {
     const surface = this.#surface()
     return this.mirrored.peek() && surface ? this.#counterparts.add(changed, strokes, surface) : changed
   }
-}
-
-/** Returns the label of an operation on lines: `Remove a line`, `Remove 3 lines`. */
-function labelOf(verb: string, lines: readonly unknown[]): string {
-  return `${verb} ${nounOf(lines)}`
-}
-
-function nounOf({ length }: readonly unknown[]): string {
-  return length > 1 ? `${length} lines` : 'a line'
 }
 
 /** Returns `LineEditor.reach` after a key press. */

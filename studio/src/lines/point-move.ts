@@ -18,6 +18,7 @@ import {
   withForkPoints,
 } from 'furrow/internal'
 import type { LayerStroke } from '../document/document.ts'
+import { STEP } from '../labels/steps.ts'
 import type { Handle } from './handles.ts'
 
 /**
@@ -52,7 +53,7 @@ export class PointMove {
     const forks = findForks(own, lines)
     this.first = strokes
     this.last = strokes
-    this.label = fork ? 'Move a fork' : 'Move a point'
+    this.label = fork ? STEP.moveFork : STEP.movePoint
     this.#index = index
     this.#others = others
     this.#knot = knot

@@ -1,4 +1,5 @@
 import { AUTO_SETTINGS } from '../document/document.ts'
+import { linkNote, loadingLabel } from '../labels/messages.ts'
 import type { Loading } from '../loading.ts'
 import type { Messages } from '../messages.ts'
 import type { Workspace } from '../session/workspace.ts'
@@ -48,7 +49,7 @@ export class PageLink {
   get load(): LoadAvatar | null {
     const model = this.#link?.model
     if (model === undefined) return null
-    const title = `Loading ${fileNameOf(model)}`
+    const title = loadingLabel(fileNameOf(model))
     return () => {
       const { loading } = this.#parts
       loading.show(title)
@@ -84,16 +85,12 @@ export class PageLink {
     const hash = this.hash()
     if (hash === null) return
     history.replaceState(null, '', hash)
-    const contents =
-      host.viewer?.avatar.address === undefined ? 'the avatar itself is not in it' : 'it opens this avatar'
     // Users can deny access to the clipboard. Insecure pages have no clipboard.
     const isCopied = await navigator.clipboard?.writeText(location.href).then(
       () => true,
       () => false,
     )
-    messages.note(
-      isCopied ? `Copied the link: ${contents}` : `The link is in the address of this page: ${contents}`,
-    )
+    messages.note(linkNote(isCopied ?? false, host.viewer?.avatar.address !== undefined))
   }
 
   get #scene(): ShownScene | null {

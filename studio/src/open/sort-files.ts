@@ -2,6 +2,7 @@ import { FurrowError } from 'furrow'
 import { CHOOSE_FACE, HEAD_BYTES, kindOf, otherFormat, unusable } from 'furrow-files'
 import { bytesOf, type DroppedFile } from '../files/dropped-files.ts'
 import type { WrinklesFolder } from '../files/folder-files.ts'
+import { oneFaceNote, oneFolderNote } from '../labels/messages.ts'
 
 /** Dropped files, with the kind of their contents. */
 export type Dropped = DroppedAvatar | DroppedWrinkles | DroppedCaptures | DroppedAreas | DroppedPreset
@@ -60,9 +61,8 @@ export async function sortFiles(dropped: readonly DroppedFile[]): Promise<Droppe
   const faces = await findFaces(files)
   const face = faces.find(({ path }) => wrinkles && path === `${wrinkles.path}face.glb`) ?? faces[0]
   const notes: string[] = []
-  if (faces.length > 1) notes.push(`Opened ${face.path}, one of ${faces.length} faces`)
-  if (others.length > 0)
-    notes.push(`Took the wrinkles in ${wrinkles.name}, one of ${1 + others.length} folders`)
+  if (faces.length > 1) notes.push(oneFaceNote(face.path, faces.length))
+  if (others.length > 0) notes.push(oneFolderNote(wrinkles.name, 1 + others.length))
   if (face) return { kind: 'avatar', face, files, wrinkles: wrinkles ?? null, notes }
   if (wrinkles) return { kind: 'wrinkles', wrinkles, notes }
   // Look for captures before images, because a recording by Live Link Face also contains a picture.

@@ -18,6 +18,14 @@ import {
 import type { StudioArea, StudioDocument } from '../document/document.ts'
 import { recordPose } from '../document/drivers.ts'
 import { freeName } from '../document/names.ts'
+import {
+  fillFromImageStep,
+  recordPoseStep,
+  regionStep,
+  resizeRegionsStep,
+  STEP,
+  showInPoseStep,
+} from '../labels/steps.ts'
 import type { Session } from './session.ts'
 
 type Names = ReadonlySet<string>
@@ -111,13 +119,13 @@ export class AreaEditor {
 
   addEmpty(): void {
     const name = freeName(this.#areas, 'area')
-    this.#edit('Add an area', (document) => addEmptyArea(document, name))
+    this.#edit(STEP.addRegion, (document) => addEmptyArea(document, name))
     this.#chooseExisting(name)
   }
 
   /** Adds an area to the first layer, resamples its weights, and chooses it. */
   add({ name, weights }: { name: string; weights: GrayImage }): void {
-    this.#edit(`Add ${name}`, (document) =>
+    this.#edit(regionStep('Add', name), (document) =>
       addArea(document, { ...emptyArea(document, name), weights: resampleGray(weights, document.areaSize) }),
     )
     this.#chooseExisting(name)
@@ -131,7 +139,7 @@ export class AreaEditor {
   paint(area: StudioArea, weights: GrayImage): void {
     const isNew = !this.#areas.some(({ name }) => name === area.name)
     this.#edit(
-      `Paint ${area.name}`,
+      regionStep('Paint', area.name),
       (old) => (isNew ? addArea(old, { ...area, weights }) : paintArea(old, area.name, weights)),
       `paint ${area.name}`,
     )
@@ -141,7 +149,7 @@ export class AreaEditor {
 
   duplicate(name: string): void {
     const copy = freeName(this.#areas, name)
-    this.#edit(`Duplicate ${name}`, (document) => duplicateArea(document, name))
+    this.#edit(regionStep('Duplicate', name), (document) => duplicateArea(document, name))
     this.#chooseExisting(copy)
   }
 
@@ -155,24 +163,24 @@ export class AreaEditor {
     const area = document?.areas.find((each) => each.name === name)
     if (!document || !area) return
     const other = mirroredName(document, name)
-    this.#edit(`Mirror ${name}`, (old) => mirrorArea(old, name, mirror(area.weights)))
+    this.#edit(regionStep('Mirror', name), (old) => mirrorArea(old, name, mirror(area.weights)))
     this.#chooseExisting(other)
   }
 
   /** Replaces the weights of an area by an image, after resampling the image to the size of the areas. */
   fill(name: string, weights: GrayImage): void {
-    this.#edit(`Fill ${name} from an image`, (document) =>
+    this.#edit(fillFromImageStep(name), (document) =>
       paintArea(document, name, resampleGray(weights, document.areaSize)),
     )
   }
 
   /** Resamples all areas to another width and height, texels, in one undo step. */
   resize(size: number): void {
-    this.#edit(`Change the size of regions to ${size}`, (document) => setAreaSize(document, size))
+    this.#edit(resizeRegionsStep(size), (document) => setAreaSize(document, size))
   }
 
   remove(name: string): void {
-    this.#edit(`Remove ${name}`, (document) => removeArea(document, name))
+    this.#edit(regionStep('Remove', name), (document) => removeArea(document, name))
   }
 
   rename(name: string, newName: string): void {
@@ -182,7 +190,7 @@ export class AreaEditor {
     this.#attempt(() =>
       // Batch the changes. Otherwise, the chosen area would not exist between the first and the last change.
       batch(() => {
-        this.#session.edit(`Rename ${name}`, (document) => renameArea(document, name, newName))
+        this.#session.edit(regionStep('Rename', name), (document) => renameArea(document, name, newName))
         follow(this.#muted)
         follow(this.#soloed)
         if (this.#chosen.peek() === name) this.#chosen.value = newName
@@ -192,7 +200,7 @@ export class AreaEditor {
 
   set(name: string, fields: AreaFields): void {
     const key = `${Object.keys(fields).join()} of ${name}`
-    this.#edit(`Change ${name}`, (document) => setArea(document, name, fields), key)
+    this.#edit(regionStep('Change', name), (document) => setArea(document, name, fields), key)
   }
 
   /** Ends the undo step of consecutive calls of `set`. */
@@ -202,12 +210,12 @@ export class AreaEditor {
 
   /** Makes a pose activate an area. @param weights blendshape weights by name, 0..1. */
   recordPose(name: string, weights: ReadonlyMap<string, number>): void {
-    this.#edit(`Record the pose of ${name}`, (document) => recordPose(document, name, weights))
+    this.#edit(recordPoseStep(name), (document) => recordPose(document, name, weights))
   }
 
   /** Makes only a pose activate areas, which have been visible always. @param weights blendshape weights by name, 0..1. */
   showInPose(names: readonly string[], weights: ReadonlyMap<string, number>): void {
-    this.#edit(`Show ${names.join(', ')} in a pose`, (document) =>
+    this.#edit(showInPoseStep(names), (document) =>
       names.reduce((old, name) => setArea(recordPose(old, name, weights), name, { activation: 0 }), document),
     )
   }

@@ -1,6 +1,7 @@
 import type { WrinkleDriver } from 'furrow'
 import type { StudioDocument } from '../document/document.ts'
 import { addDriver, removeDriver, setDriver } from '../document/drivers.ts'
+import { STEP } from '../labels/steps.ts'
 import type { Session } from './session.ts'
 
 /** Edits the document's drivers by index. Each change is one undo step. */
@@ -15,7 +16,7 @@ export class DriverEditor {
   }
 
   add(driver: WrinkleDriver): void {
-    this.#edit('Add a driver', (document) => addDriver(document, driver))
+    this.#edit(STEP.addDriver, (document) => addDriver(document, driver))
   }
 
   /**
@@ -28,7 +29,7 @@ export class DriverEditor {
       const next: Record<string, unknown> = { ...document.drivers[index], ...fields }
       return setDriver(document, index, next as WrinkleDriver)
     }
-    this.#edit('Change a driver', change, `${field} of driver ${index}`)
+    this.#edit(STEP.changeDriver, change, `${field} of driver ${index}`)
   }
 
   /** Ends the undo step of consecutive calls of `set`. */
@@ -37,7 +38,7 @@ export class DriverEditor {
   }
 
   remove(index: number): void {
-    this.#edit('Remove a driver', (document) => removeDriver(document, index))
+    this.#edit(STEP.removeDriver, (document) => removeDriver(document, index))
   }
 
   #edit(label: string, operation: (document: StudioDocument) => StudioDocument, key?: string): void {

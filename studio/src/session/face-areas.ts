@@ -1,6 +1,7 @@
 import { FurrowError } from 'furrow'
 import { MAX_AREAS } from 'furrow/internal'
 import { readArea } from '../area-file.ts'
+import { addedRegionLabel, removedRegionLabel } from '../labels/messages.ts'
 import type { Messages } from '../messages.ts'
 import type { ShownFace } from '../viewer/shown-face.ts'
 import type { AreaEditor } from './area-editor.ts'
@@ -34,7 +35,7 @@ export class FaceAreas {
       viewer.addArea(area)
       // Full activation makes the new area visible.
       viewer.wrinkles?.setActivation(area.name, 1)
-      this.#messages.note(`Added area ${area.name}`)
+      this.#messages.note(addedRegionLabel(area.name))
     })
   }
 
@@ -43,7 +44,7 @@ export class FaceAreas {
       this.#face.hovered.value = null
       if (this.#editor.hasDocument) this.#editor.remove(name)
       else viewer.removeArea(name)
-      this.#messages.note(`Removed area ${name}`)
+      this.#messages.note(removedRegionLabel(name))
     })
   }
 }

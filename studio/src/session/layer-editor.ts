@@ -14,6 +14,7 @@ import {
 } from '../document/layers.ts'
 import { freeName } from '../document/names.ts'
 import { bytesOf } from '../files/dropped-files.ts'
+import { bakeStep, layerStep, mapStep, resetSculptingStep, STEP } from '../labels/steps.ts'
 import type { OpenedAvatar } from '../open/avatar.ts'
 import { saveFile } from '../save-file.ts'
 import { type DrawnWork, documentToPack } from './exporting.ts'
@@ -51,20 +52,20 @@ export class LayerEditor {
   }
 
   add(): void {
-    this.#edit('Add a layer', (document) => addLayer(document, freeName(document.layers, 'layer')))
+    this.#edit(STEP.addLayer, (document) => addLayer(document, freeName(document.layers, 'layer')))
   }
 
   remove(name: string): void {
-    this.#edit(`Remove ${name}`, (document) => removeLayer(document, name))
+    this.#edit(layerStep('Remove', name), (document) => removeLayer(document, name))
   }
 
   rename(name: string, newName: string): void {
-    this.#edit(`Rename ${name}`, (document) => renameLayer(document, name, newName))
+    this.#edit(layerStep('Rename', name), (document) => renameLayer(document, name, newName))
   }
 
   /** Moves a layer in the list. @param by -1 moves it up, 1 moves it down. */
   move(name: string, by: -1 | 1): void {
-    this.#edit(`Move ${name}`, (document) => {
+    this.#edit(layerStep('Move', name), (document) => {
       const index = document.layers.findIndex((layer) => layer.name === name) + by
       return index < 0 || index >= document.layers.length ? document : moveLayer(document, name, index)
     })
@@ -72,7 +73,7 @@ export class LayerEditor {
 
   set(name: string, fields: LayerFields): void {
     const key = `${Object.keys(fields).join()} of ${name}`
-    this.#edit(`Change ${name}`, (document) => setLayer(document, name, fields), key)
+    this.#edit(layerStep('Change', name), (document) => setLayer(document, name, fields), key)
   }
 
   /** Ends the undo step of consecutive calls of `set`. */
@@ -81,12 +82,12 @@ export class LayerEditor {
   }
 
   removeMap(name: string, map: MapName): void {
-    this.#edit(`Remove ${map} of ${name}`, (document) => setMap(document, name, map, undefined))
+    this.#edit(mapStep('Remove', map, name), (document) => setMap(document, name, map, undefined))
   }
 
   /** Removes what brushes have sculpted on a layer. */
   resetSculpted(name: string): void {
-    this.#edit(`Reset sculpting of ${name}`, (document) => setSculpted(document, name, null))
+    this.#edit(resetSculptingStep(name), (document) => setSculpted(document, name, null))
   }
 
   /** Imports an image as a map of a layer, in one undo step; see `importMap`. Rejects with a FurrowError if the image is unsupported. */
@@ -95,7 +96,7 @@ export class LayerEditor {
     const size = session.document.peek()?.mapSize
     if (size === undefined) return
     const image = await readMap(file, map, size)
-    session.edit(`Import ${map} of ${name}`, (document) => importMap(document, name, map, image))
+    session.edit(mapStep('Import', map, name), (document) => importMap(document, name, map, image))
   }
 
   /**
@@ -170,7 +171,7 @@ export class LayerEditor {
     const high = { name: sculpt.name, bytes: await bytesOf(sculpt, sculpt.name) }
     const bytes = await bakeInWorker(high, target, { onProgress, signal })
     if (signal.aborted) return
-    session.edit(`Bake ${sculpt.name}`, (old) => {
+    session.edit(bakeStep(sculpt.name), (old) => {
       const baked = setMap(old, name, 'normal', { mimeType: 'image/png', bytes })
       return setLayer(baked, name, { kind: 'replace' })
     })

@@ -1,8 +1,8 @@
 import { FurrowError } from 'furrow'
 import type { Capture } from '../capture/live-link-face.ts'
-import { displayName } from '../display-name.ts'
 import { applyPreset } from '../document/preset.ts'
 import type { DroppedFile } from '../files/dropped-files.ts'
+import { addedTakeLabel, appliedLabel, loadingFaceLabel, loadingLabel, PROGRESS } from '../labels/messages.ts'
 import type { Loading } from '../loading.ts'
 import type { Messages } from '../messages.ts'
 import { type OpenedAvatar, openDropped } from '../open/avatar.ts'
@@ -48,7 +48,7 @@ export class Opening {
   /** Returns a function that loads a face from the server. */
   faceLoader(name: string): LoadAvatar {
     const { loading } = this.#parts
-    const title = `Loading ${displayName(name)}`
+    const title = loadingFaceLabel(name)
     return () => {
       loading.show(title, 0)
       return fetchFace(name, (fraction) => loading.show(title, fraction))
@@ -86,7 +86,7 @@ export class Opening {
       if (dropped.kind === 'preset') return this.#applyPreset(dropped.preset)
       await this.open(async (shown) => {
         const name = dropped.kind === 'avatar' ? dropped.face.file.name : dropped.wrinkles.name
-        loading.show(`Loading ${name}`)
+        loading.show(loadingLabel(name))
         const avatar = await openDropped(dropped, shown)
         messages.note(avatar.notes.join('. '))
         if (dropped.kind === 'avatar' && !avatar.document) onDropped(avatar)
@@ -101,7 +101,7 @@ export class Opening {
     const capture = await readCapture(tables.map(({ file }) => file))
     if (!host.viewer) throw noAvatarError(capture.name)
     await addCapture(capture)
-    messages.note(`Added ${capture.name} to the takes`)
+    messages.note(addedTakeLabel(capture.name))
   }
 
   async #applyPreset(dropped: DroppedFile): Promise<void> {
@@ -111,11 +111,11 @@ export class Opening {
     const settings = workspace.session.document.peek()?.auto
     if (!settings) throw noAutomaticError(dropped.path)
     await workspace.makeAuto(applyPreset(settings, preset))
-    messages.note(`Applied ${dropped.path}`)
+    messages.note(appliedLabel(dropped.path))
   }
 
   #projectOf(id: string, take = false): Promise<OpenedAvatar> {
-    this.#parts.loading.show('Opening')
+    this.#parts.loading.show(PROGRESS.opening)
     return this.#parts.workspace.openProject(id, take)
   }
 }

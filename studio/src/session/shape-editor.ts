@@ -2,6 +2,7 @@ import { computed, effect, type ReadonlySignal } from '@preact/signals'
 import type { Skin } from 'furrow/auto'
 import type { RecognisedShape, ShapeCorrection } from 'furrow/internal'
 import { correctShape, removeCorrections } from '../document/shapes.ts'
+import { correctShapeStep } from '../labels/steps.ts'
 import { correctedSkin, type SkinSource } from '../open/skin-source.ts'
 import { Recognition } from './recognition.ts'
 import type { Session } from './session.ts'
@@ -77,7 +78,7 @@ export class ShapeEditor {
     const names = (correction: ShapeCorrection) =>
       correctedSkin(source, [correction]).targets[index]?.correction !== undefined
     this.#session.edit(
-      `Correct ${target}`,
+      correctShapeStep(target),
       (document) =>
         shape === undefined
           ? removeCorrections(document, names)

@@ -4,6 +4,7 @@ import type { Capture } from '../capture/live-link-face.ts'
 import { takeClip } from '../capture/take-clip.ts'
 import { rangeOf, type Take, type TakeMotion } from '../document/take.ts'
 import { addTake, removeTake, renameTake, trimTake } from '../document/takes.ts'
+import { STEP } from '../labels/steps.ts'
 import type { Clip, ClipPlayer } from '../viewer/pose/clip-player.ts'
 import type { Viewer } from '../viewer/viewer.ts'
 import type { Session } from './session.ts'
@@ -45,24 +46,24 @@ export class TakeEditor {
 
   /** Adds and chooses a recorded take. */
   add(motion: TakeMotion): void {
-    void this.#parts.attempt(() => this.#add('Record a take', { name: FIRST_NAME, motion }))
+    void this.#parts.attempt(() => this.#add(STEP.recordTake, { name: FIRST_NAME, motion }))
   }
 
   /** Adds and chooses a take from a file. Rejects with a FurrowError if the face has none of its blendshapes. */
   async open(capture: Capture): Promise<void> {
     const { takeOfCapture } = await import('../capture/take-of-capture.ts')
-    await this.#add('Open a recording', takeOfCapture(capture, this.#targets))
+    await this.#add(STEP.openRecording, takeOfCapture(capture, this.#targets))
   }
 
   rename(name: string, next: string): void {
     void this.#parts.attempt(() =>
-      this.#parts.session.edit('Rename a take', (document) => renameTake(document, name, next)),
+      this.#parts.session.edit(STEP.renameTake, (document) => renameTake(document, name, next)),
     )
   }
 
   /** Sets the in and out points, seconds. */
   trim(name: string, range: readonly [number, number]): void {
-    this.#parts.session.edit('Trim a take', (document) => trimTake(document, name, range))
+    this.#parts.session.edit(STEP.trimTake, (document) => trimTake(document, name, range))
   }
 
   /** Moves the in or the out point of the chosen take to the time of the player. */
@@ -75,7 +76,7 @@ export class TakeEditor {
   }
 
   remove(name: string): void {
-    this.#parts.session.edit('Delete a take', (document) => removeTake(document, name))
+    this.#parts.session.edit(STEP.deleteTake, (document) => removeTake(document, name))
   }
 
   /** Saves a take as a CSV of Live Link Face. Rejects if the code cannot be loaded. */

@@ -16,6 +16,7 @@ import { limited } from '../document/region-strengths.ts'
 import { MapMaker } from '../draw/map-maker.ts'
 import type { ExportOptions } from '../export/export-document.ts'
 import type { Project } from '../keep/project.ts'
+import { STEP } from '../labels/steps.ts'
 import { nextTask } from '../later.ts'
 import { type OpenedAvatar, openAvatar } from '../open/avatar.ts'
 import { correctedSkin, type SkinSource, skinSource } from '../open/skin-source.ts'
@@ -216,7 +217,7 @@ export class Workspace {
     await this.#maps.adopt(document, wrinkles, maps, this.#source.peek()!)
     if (avatar !== this.#avatar) return
     if (!this.session.document.value) this.session.open(document)
-    else this.session.edit('Make automatic wrinkles', (old) => remake(old, document))
+    else this.session.edit(STEP.makeWrinkles, (old) => remake(old, document))
   }
 
   /** Prepares edits of a stroke, so that the first change is as fast as later ones. Null cancels the preparation. */

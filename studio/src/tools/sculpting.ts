@@ -5,6 +5,7 @@ import { sculptedOn, setSculpted } from '../document/layers.ts'
 import { type HeightImage, imageOf, type Rectangle, sculptedSize, withImage } from '../document/sculpted.ts'
 import { addSculptedLayer, coverSculpted, type SculptPlace, sculptPlace } from '../document/sculpted-area.ts'
 import { otherSide } from '../document/sides.ts'
+import { STEP } from '../labels/steps.ts'
 import { resized } from '../paint/brush.ts'
 import { visibleRadius } from '../paint/dab-size.ts'
 import type { SkinHit } from '../paint/picker.ts'
@@ -128,7 +129,7 @@ export class Sculpting {
     this.#isEditing = true
     try {
       session.edit(
-        'Sculpt',
+        STEP.sculpt,
         (document) => {
           const heights = withImage(sculptedOn(document, name), image, changed)
           const sculpted = setSculpted(addSculptedLayer(document, place), name, heights)

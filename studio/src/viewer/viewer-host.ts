@@ -1,5 +1,6 @@
 import { isWebGL } from '../../../stage/light.ts'
 import type { RendererKind } from '../../../stage/stage.ts'
+import { NOTE, PROGRESS } from '../labels/messages.ts'
 import { type Loading, nextPaint } from '../loading.ts'
 import type { Loop } from '../loop.ts'
 import type { Messages } from '../messages.ts'
@@ -14,8 +15,6 @@ import { Viewer } from './viewer.ts'
 
 /** If the WebGPU device is lost twice within this time, in milliseconds, the host opens WebGL instead. */
 const LOSS_WINDOW = 15_000
-
-const LOST = 'The graphics device was lost and is being restored; your work is kept'
 
 export interface HostParts {
   page: Page
@@ -81,7 +80,7 @@ export class ViewerHost {
     const last = this.#viewer?.avatar
     const avatar = load ? await load(last) : last
     if (!avatar) return
-    loading.show(`Starting ${reason || kind === 'webgl' ? 'WebGL' : 'WebGPU'}`)
+    loading.show(PROGRESS[reason ? 'webgl' : kind])
     await nextPaint()
     const restore = this.#close()
     const chosen = reason ? 'webgl' : kind
@@ -149,7 +148,7 @@ export class ViewerHost {
     if (isWebGL(renderer)) {
       const { signal } = this.#watching
       viewer.canvas.addEventListener('webglcontextrestored', () => loop.wake(), { signal })
-      viewer.canvas.addEventListener('webglcontextlost', () => messages.note(LOST), { signal })
+      viewer.canvas.addEventListener('webglcontextlost', () => messages.note(NOTE.graphicsLost), { signal })
       return
     }
     void deviceOf(renderer)?.lost.then(({ message }) => {

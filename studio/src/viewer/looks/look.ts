@@ -1,5 +1,3 @@
-import type { WrinkleMode } from 'furrow/three'
-
 export type LookName = Look['name']
 
 /**
@@ -12,12 +10,3 @@ export type Look =
   | { name: 'shaded' | 'clay' | 'normals' | 'strain' | 'wireframe' }
   | { name: 'influence'; area?: string | readonly string[] }
   | { name: 'onset'; layer?: string }
-
-/** Returns the label for the side of the divider with wrinkles. */
-export function lookLabel(look: Look, mode: WrinkleMode): string {
-  if (look.name === 'influence') return look.area === undefined ? 'Influence' : [look.area].flat().join(', ')
-  if (look.name === 'wireframe') return 'Wireframe'
-  if (look.name === 'strain') return 'Strain'
-  if (look.name === 'onset') return look.layer === undefined ? 'Onset' : `Onset of ${look.layer}`
-  return mode === 'off' ? 'Wrinkles off' : 'With wrinkles'
-}

@@ -39,7 +39,7 @@ it('painted skin without lines is filled in one undo step, and is then visible',
   fill.painted('new')
   expect(fill.offered.value).toBe('new')
   fill.fill()
-  await vi.waitFor(() => expect(session.undoLabel.value).toBe('Fill new with lines'))
+  await vi.waitFor(() => expect(session.undoLabel.value).toBe('Fill New with lines'))
   const { strokes, areas: filled } = session.document.value!
   const added = strokes.slice(before.strokes.length)
   expect(added.length).toBeGreaterThan(1)
