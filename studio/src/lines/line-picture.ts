@@ -36,7 +36,7 @@ export function pictureOf(
     chosen,
     handles: editor.handles.peek(),
     point: editor.point.peek(),
-    weights: editor.grabWeights(hoveredPoint < 0 || isBending ? editor.point.peek() : hoveredPoint),
+    weights: editor.points.grabWeights(hoveredPoint < 0 || isBending ? editor.point.peek() : hoveredPoint),
     forks: projectForks(editor.forks.peek(), strokes, lines),
     hovered,
     path,

@@ -135,7 +135,7 @@ export class LineTool implements StageTool {
   insert(pointer: Pick<StagePointer, 'x' | 'y'>): void {
     const hit = this.#lineAt(pointer)
     if (hit?.stroke !== this.#editor.chosen.peek() || this.#handleAt(pointer) >= 0) return
-    this.#editor.insertPoint(hit.along)
+    this.#editor.points.insert(hit.along)
     this.#editor.settle()
   }
 
@@ -158,7 +158,7 @@ export class LineTool implements StageTool {
     const last = pointers.at(-1)
     const depth = last && this.#depth?.to(last)
     if (depth === undefined) return
-    this.#editor.setShape({ depth })
+    this.#editor.fields.setShape({ depth })
     this.#isChanged = true
   }
 
@@ -196,7 +196,7 @@ export class LineTool implements StageTool {
       else if (fork) this.#editor.chooseFork(fork)
       else this.#editor.choose(hit.stroke)
     } else if (pointer.shift) {
-      this.#editor.insertPoint(hit.along)
+      this.#editor.points.insert(hit.along)
       this.#isChanged = true
     } else this.#editor.point.value = -1
     const uv = this.#stage.picker?.pick(pointer.ray)?.uv
@@ -215,12 +215,12 @@ export class LineTool implements StageTool {
     if (this.#between && this.#editor.point.peek() < 0) {
       const { x, y, along } = this.#between
       if (Math.hypot(last.x - x, last.y - y) < THRESHOLD) return
-      this.#editor.choosePointNear(along)
+      this.#editor.points.chooseNear(along)
     }
     const hit = this.#stage.picker?.pick(last.ray)
     if (!hit || this.#editor.point.peek() < 0) return
-    if (this.#between) this.#editor.dragPoint(this.#between.uv, hit.uv, last.alt)
-    else this.#editor.movePoint(hit.uv, last.alt)
+    if (this.#between) this.#editor.points.drag(this.#between.uv, hit.uv, last.alt)
+    else this.#editor.points.move(hit.uv, last.alt)
     this.#isChanged = true
   }
 

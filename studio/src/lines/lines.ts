@@ -7,9 +7,10 @@ import { rayAt } from '../tools/ray-at.ts'
 import type { ToolHost } from '../tools/tool-host.ts'
 import type { Viewer } from '../viewer/viewer.ts'
 import { bindLineTool, type LineView } from './bind-line-tool.ts'
-import { LineEditor, nextReach } from './line-editor.ts'
+import { LineEditor } from './line-editor.ts'
 import { LineOverlay } from './line-overlay.ts'
 import { pictureOf } from './line-picture.ts'
+import { nextReach } from './line-points.ts'
 import { type LineSkin, readLineSkin } from './line-skin.ts'
 import { LineTool } from './line-tool.ts'
 import { LineProjection, type ProjectedLine } from './project-lines.ts'
@@ -77,11 +78,11 @@ export class Lines {
     stage.addEventListener('pointerup', () => this.#point(false))
     effect(() => {
       this.isShown.value
-      const { mode, allChosen, point, reach } = this.editor
+      const { mode, allChosen, point, points } = this.editor
       if (mode.value === 'off') this.#overlay.hide()
       allChosen.value
       point.value
-      reach.value
+      points.reach.value
       this.#skin.value
       session.document.value
       this.#redraw()
@@ -89,7 +90,7 @@ export class Lines {
     bindLineTool(this.#tool, this.editor, { element: stage, host: tools, attempt })
     addEventListener('keydown', (event) => {
       const name = this.editor.mode.peek() === 'edit' ? shortcutOf('bending', event) : undefined
-      if (name) this.editor.reach.value = nextReach(this.editor.reach.peek(), name)
+      if (name) this.editor.points.reach.value = nextReach(this.editor.points.reach.peek(), name)
     })
   }
 
@@ -128,7 +129,7 @@ export class Lines {
     if (!line || i === undefined) return
     if (!line.isSeen[i]) throw hiddenPointError()
     const hit = skin.picker.pick(rayAt(camera, [line.x[i] + right, line.y[i] + down], size))
-    if (hit) this.editor.movePoint(hit.uv)
+    if (hit) this.editor.points.move(hit.uv)
   }
 
   /** Returns a promise that settles when the skin is ready, or null if nothing is being prepared. */

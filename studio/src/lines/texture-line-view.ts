@@ -44,7 +44,7 @@ export class TextureLineView {
       editor.mode.value
       editor.handles.value
       editor.point.value
-      editor.reach.value
+      editor.points.reach.value
       editor.allChosen.value
       wake()
     })

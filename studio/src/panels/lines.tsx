@@ -1,7 +1,8 @@
 import { BANK_WIDTHS, isBulge } from 'furrow/internal'
 import { useId } from 'preact/hooks'
 import { LINE, LINE_ACTIONS, LINE_HINTS } from '../labels/lines.ts'
-import { type LineEditor, REACH_RANGE } from '../lines/line-editor.ts'
+import type { LineEditor } from '../lines/line-editor.ts'
+import { REACH_RANGE } from '../lines/line-points.ts'
 import { type LineShape, meanTaper } from '../lines/line-shape.ts'
 import { NumberSlider } from './controls/number-slider.tsx'
 import { LineChoice, LinePoints } from './line-choice.tsx'
@@ -12,7 +13,7 @@ export function Lines({ model }: { model: PanelModel }) {
   const { lines, session, actions } = model
   const isNew = lines.mode.value === 'draw' && !lines.chosen.value
   const chosen = lines.chosen.value
-  const shape = isNew ? lines.shape.value : chosen
+  const shape = isNew ? lines.fields.shape.value : chosen
   return (
     <div class="settings">
       {!isNew && <LineChoice editor={lines} strokes={session.document.value?.strokes ?? []} />}
@@ -21,10 +22,10 @@ export function Lines({ model }: { model: PanelModel }) {
         <NumberSlider
           label={LINE.reach}
           range={[...REACH_RANGE, 0.5]}
-          value={lines.reach.value}
-          text={lines.reach.value.toFixed(1)}
+          value={lines.points.reach.value}
+          text={lines.points.reach.value.toFixed(1)}
           onMove={(reach) => {
-            lines.reach.value = reach
+            lines.points.reach.value = reach
           }}
         />
       )}
@@ -33,8 +34,8 @@ export function Lines({ model }: { model: PanelModel }) {
         <>
           <Shape shape={shape} editor={lines} attempt={actions.attempt} />
           <Membership
-            group={isNew ? lines.group.value : (chosen?.group ?? '')}
-            layer={isNew ? lines.layer.value : (chosen?.layer ?? '')}
+            group={isNew ? lines.fields.group.value : (chosen?.group ?? '')}
+            layer={isNew ? lines.fields.layer.value : (chosen?.layer ?? '')}
             isNew={isNew}
             groups={groupsOf(session)}
             layers={session.document.value?.layers.map(({ name }) => name) ?? []}
@@ -89,7 +90,7 @@ function Shape({ shape, editor, attempt }: ControlsProps & { shape: LineShape })
       label={label}
       range={range}
       value={value}
-      onMove={(next) => attempt(() => editor.setShape(fields(next)))}
+      onMove={(next) => attempt(() => editor.fields.setShape(fields(next)))}
       onRest={() => editor.settle()}
     />
   )
@@ -139,7 +140,7 @@ function Membership({ group, layer, isNew, groups, layers, editor, attempt }: Me
           list={`${id}-groups`}
           value={group}
           placeholder={isNew ? LINE.groupUnder : LINE.newGroup}
-          onChange={({ currentTarget }) => attempt(() => editor.setGroup(currentTarget.value.trim()))}
+          onChange={({ currentTarget }) => attempt(() => editor.fields.setGroup(currentTarget.value.trim()))}
         />
         <datalist id={`${id}-groups`}>
           {groups.map((name) => (
@@ -152,7 +153,7 @@ function Membership({ group, layer, isNew, groups, layers, editor, attempt }: Me
         <select
           id={`${id}-layer`}
           value={layer}
-          onChange={({ currentTarget }) => attempt(() => editor.setLayer(currentTarget.value))}
+          onChange={({ currentTarget }) => attempt(() => editor.fields.setLayer(currentTarget.value))}
         >
           {isNew && <option value="">{LINE.layerOfGroup}</option>}
           {layers.map((name) => (

@@ -115,7 +115,7 @@ function LineCard({ model }: { model: PanelModel }) {
           label={label}
           range={range}
           value={line[field]}
-          onMove={(value) => actions.attempt(() => lines.setShape({ [field]: value }))}
+          onMove={(value) => actions.attempt(() => lines.fields.setShape({ [field]: value }))}
           onRest={() => lines.settle()}
         />
       ))}

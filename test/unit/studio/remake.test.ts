@@ -55,7 +55,7 @@ const forksOf = ({ strokes }: StudioDocument) => findForks(strokes, lines).lengt
 function bend(index: number): void {
   editor.choose(document().strokes[index])
   editor.point.value = 0
-  editor.movePoint([0.35, 0.15])
+  editor.points.move([0.35, 0.15])
   editor.settle()
 }
 
@@ -104,7 +104,7 @@ describe('making automatic wrinkles again', () => {
     expect(remade().strokes).toContain(detached)
     session.undo()
     editor.choose(document().strokes[2])
-    editor.setShape({ depth: 1 })
+    editor.fields.setShape({ depth: 1 })
     expect(remade().strokes.map(({ depth }) => depth)).toContain(1)
     expect(remade().strokes.slice(1)).toEqual(made.strokes.slice(0, 2))
     session.undo()

@@ -93,8 +93,8 @@ describe('a fork', () => {
       [3, false],
     ])
     editor.point.value = 2
-    editor.movePoint([0.52, 0.4])
-    editor.movePoint([0.54, 0.4])
+    editor.points.move([0.52, 0.4])
+    editor.points.move([0.54, 0.4])
     editor.settle()
     expect(editor.point.value).toBe(2)
     expect(ends()).toEqual([
@@ -197,11 +197,11 @@ describe('a branch', () => {
 
   test('keeps the taper of its end in the fork when the taper of the line is set', () => {
     editor.choose(BRANCH)
-    editor.setShape({ taper: [0.2, 0.2] })
+    editor.fields.setShape({ taper: [0.2, 0.2] })
     expect(strokes()[1].taper).toEqual([0.2, 0])
     expect(meanTaper(strokes()[1], editor.attachedEnds.value)).toBe(0.2)
     editor.choose(APART)
-    editor.setShape({ taper: [0.2, 0.2] })
+    editor.fields.setShape({ taper: [0.2, 0.2] })
     expect(strokes()[3].taper).toEqual([0.2, 0.2])
   })
 })

@@ -42,7 +42,7 @@ describe('a selected line', () => {
 
   test('is bent in one step, however often its point moves, stays selected and is no longer automatic', () => {
     editor.point.value = 0
-    for (const v of [0.3, 0.35, 0.4]) editor.movePoint([0.1, v])
+    for (const v of [0.3, 0.35, 0.4]) editor.points.move([0.1, v])
     editor.settle()
     expect(strokes()[0]).toMatchObject({
       curve: 'spline',
@@ -64,11 +64,11 @@ describe('a selected line', () => {
     editor.choose(strokes().find(({ group }) => group === area().name)!)
     const { weights } = area()
     editor.point.value = 0
-    editor.movePoint([0.2, 0.4])
+    editor.points.move([0.2, 0.4])
     editor.settle()
     expect(area().weights).toBe(weights)
     expect(at([0.2, 0.8])).toBe(0)
-    for (const v of [0.6, 0.7, 0.8]) editor.movePoint([0.2, v])
+    for (const v of [0.6, 0.7, 0.8]) editor.points.move([0.2, v])
     editor.settle()
     expect(at([0.2, 0.8])).toBeGreaterThan(200)
     // The area does not grow along the path of the pointer.
@@ -89,16 +89,16 @@ describe('a selected line', () => {
 
   test('has one step for each gesture', () => {
     editor.point.value = 0
-    editor.movePoint([0.1, 0.3])
+    editor.points.move([0.1, 0.3])
     editor.settle()
-    editor.movePoint([0.1, 0.4])
+    editor.points.move([0.1, 0.4])
     editor.settle()
     session.undo()
     expect(strokes()[0].points[0]).toEqual([0.1, 0.3])
   })
 
   test('gets a point where it is clicked, and loses it again', () => {
-    editor.insertPoint(0.5)
+    editor.points.insert(0.5)
     expect(strokes()[0].points.length).toBe(3)
     expect(editor.point.value).toBe(1)
     editor.remove()
@@ -122,7 +122,7 @@ describe('a selected line', () => {
 
   test('is mirrored: its mirror image is added and selected', () => {
     editor.point.value = 0
-    editor.movePoint([0.3, 0.2])
+    editor.points.move([0.3, 0.2])
     editor.mirror()
     expect(strokes().length).toBe(4)
     expect(editor.chosen.value).toBe(strokes()[3])
@@ -130,8 +130,8 @@ describe('a selected line', () => {
   })
 
   test('has a shape that a slider changes in one step', () => {
-    editor.setShape({ width: 3 })
-    editor.setShape({ width: 4 })
+    editor.fields.setShape({ width: 3 })
+    editor.fields.setShape({ width: 4 })
     editor.settle()
     expect(strokes()[0].width).toBe(4)
     session.undo()
@@ -140,9 +140,9 @@ describe('a selected line', () => {
   })
 
   test('can get banks, and lean to a side, in one step each', () => {
-    editor.setShape({ bank: [5, 5] })
-    editor.setShape({ bank: [6, 6] })
-    editor.setShape({ lean: -0.3 })
+    editor.fields.setShape({ bank: [5, 5] })
+    editor.fields.setShape({ bank: [6, 6] })
+    editor.fields.setShape({ lean: -0.3 })
     editor.settle()
     expect(strokes()[0]).toMatchObject({ bank: [6, 6], lean: -0.3 })
     session.undo()
@@ -154,7 +154,7 @@ describe('a selected line', () => {
   })
 
   test('makes an area with a new name, whose lines are visible at rest', () => {
-    editor.setGroup('scar')
+    editor.fields.setGroup('scar')
     const area = session.document.value!.areas.at(-1)!
     expect(area).toMatchObject({ name: 'scar', layer: 'up', activation: 1 })
     expect(weightAt(area.weights, [0.5, 0.2])).toBe(255)
@@ -165,7 +165,7 @@ describe('a selected line', () => {
 describe('a drawn line', () => {
   beforeEach(() => {
     editor.mode.value = 'draw'
-    editor.setShape({ width: 5, depth: 1 })
+    editor.fields.setShape({ width: 5, depth: 1 })
   })
 
   test('belongs to the area under it and has the set shape', () => {
@@ -202,7 +202,7 @@ describe('a drawn line', () => {
   })
 
   test('extends the area that the artist named', () => {
-    editor.setGroup('frown')
+    editor.fields.setGroup('frown')
     editor.draw(across(0.8, 0.2, 0.8))
     const { areas } = session.document.value!
     expect(strokes()[3]).toMatchObject({ group: 'frown', layer: 'down' })

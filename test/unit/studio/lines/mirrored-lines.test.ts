@@ -41,7 +41,7 @@ beforeEach(() => {
 })
 
 test('a new depth applies to the counterpart too, which keeps its place', () => {
-  editor.setShape({ depth: 1 })
+  editor.fields.setShape({ depth: 1 })
   expect(strokes().map(({ depth }) => depth)).toEqual([1, 1, 0.5, 0.5])
   expect(strokes()[1].points).toEqual(RIGHT.points)
   session.undo()
@@ -50,7 +50,7 @@ test('a new depth applies to the counterpart too, which keeps its place', () => 
 
 test('a moved point moves the mirror image of the point', () => {
   editor.point.value = 0
-  editor.movePoint([0.15, 0.4])
+  editor.points.move([0.15, 0.4])
   editor.settle()
   const [u, v] = strokes()[1].points[0]
   expect(u).toBeCloseTo(0.85)
@@ -70,7 +70,7 @@ test('all points that move along have a live mirror image', () => {
   editor.choose(strokes()[0])
   editor.point.value = 2
   for (const v of [0.33, 0.36, 0.4]) {
-    editor.movePoint([0.22, v])
+    editor.points.move([0.22, v])
     expect(strokes()[1].points.length).toBe(6)
     for (const [i, [u, own]] of strokes()[0].points.entries()) {
       const [mirrored, height] = strokes()[1].points[i]
@@ -90,7 +90,7 @@ test('several chosen lines take all their counterparts along', () => {
   session.open(frozen({ ...sampleDocument(), strokes: strokesBefore }))
   editor.choose(strokes()[0])
   editor.toggle(strokes()[2])
-  editor.setShape({ depth: 1 })
+  editor.fields.setShape({ depth: 1 })
   expect(strokes().map(({ depth }) => depth)).toEqual([1, 1, 1, 1])
   editor.removeLine()
   expect(strokes()).toEqual([])
@@ -108,18 +108,18 @@ test('a deleted line takes its counterpart along, in one step', () => {
 
 test('a line across the middle has no counterpart', () => {
   editor.choose(strokes()[3])
-  editor.setShape({ depth: 1 })
+  editor.fields.setShape({ depth: 1 })
   expect(strokes().map(({ depth }) => depth)).toEqual([0.5, 0.5, 0.5, 1])
 })
 
 test('without the toggle only the chosen line changes', () => {
   editor.mirrored.value = false
-  editor.setShape({ depth: 1 })
+  editor.fields.setShape({ depth: 1 })
   expect(strokes().map(({ depth }) => depth)).toEqual([1, 0.5, 0.5, 0.5])
 })
 
 test('a new region of a line gets its counterpart too', () => {
-  editor.setGroup('scarLeft')
+  editor.fields.setGroup('scarLeft')
   expect(strokes().map(({ group }) => group)).toEqual(['scarLeft', 'scarRight', 'browRight', 'brow'])
   const { areas } = session.document.value!
   expect(areas.slice(-2).map(({ name, activation }) => [name, activation])).toEqual([

@@ -1,6 +1,7 @@
 import { beforeEach, describe, expect, test } from 'vitest'
 import type { LayerStroke } from '../../../../studio/src/document/document.ts'
-import { type LineEditor, nextReach } from '../../../../studio/src/lines/line-editor.ts'
+import type { LineEditor } from '../../../../studio/src/lines/line-editor.ts'
+import { nextReach } from '../../../../studio/src/lines/line-points.ts'
 import type { LineTool } from '../../../../studio/src/lines/line-tool.ts'
 import { Session } from '../../../../studio/src/session/session.ts'
 import { sampleDocument, strokeOf } from '../sample-document.ts'
@@ -25,7 +26,7 @@ beforeEach(() => {
   const areas = sample.areas.map((area) => ({ ...area, weights }))
   session.open({ ...sample, areaSize: SIZE, areas, strokes: LINES })
   ;({ editor, tool } = editorOn(session))
-  editor.reach.value = 15
+  editor.points.reach.value = 15
 })
 
 const strokes = () => session.document.value!.strokes
@@ -57,22 +58,22 @@ describe('a dragged point', () => {
     drag({ alt: true })
     expect(sinking(0)).toEqual(ALONE)
     session.undo()
-    editor.reach.value = 0
+    editor.points.reach.value = 0
     drag()
     expect(sinking(0)).toEqual(ALONE)
   })
 
   test('takes its neighbours along when keys move it, step by step', () => {
     editor.point.value = 6
-    for (const v of [0.32, 0.35, 0.4]) editor.movePoint([0.5, v])
+    for (const v of [0.32, 0.35, 0.4]) editor.points.move([0.5, v])
     editor.settle()
     expect(sinking(0)).toEqual(SOFT)
   })
 
   test('shows beforehand how much each point will move', () => {
-    expect(editor.grabWeights(6).map((weight) => Math.round(100 * weight) / 10)).toEqual(SOFT)
-    editor.reach.value = 0
-    expect(editor.grabWeights(6).map((weight) => 10 * weight)).toEqual(ALONE)
+    expect(editor.points.grabWeights(6).map((weight) => Math.round(100 * weight) / 10)).toEqual(SOFT)
+    editor.points.reach.value = 0
+    expect(editor.points.grabWeights(6).map((weight) => 10 * weight)).toEqual(ALONE)
   })
 
   test('extends the area to a neighbour that leaves it', () => {
@@ -164,8 +165,8 @@ describe('several chosen lines', () => {
   })
 
   test('get the same shape, in one undo step', () => {
-    editor.setShape({ depth: 0.8 })
-    editor.setShape({ depth: 0.9 })
+    editor.fields.setShape({ depth: 0.8 })
+    editor.fields.setShape({ depth: 0.9 })
     editor.settle()
     expect(strokes().map(({ depth }) => depth)).toEqual([0.9, 0.9, 0.9])
     expect(session.undoLabel.value).toBe('Change the depth of 3 lines')
@@ -185,9 +186,9 @@ describe('several chosen lines', () => {
   test('are smoothed, mirrored, and given a layer and a region in one undo step each', () => {
     editor.smooth()
     expect(session.undoLabel.value).toBe('Smooth 3 lines')
-    editor.setLayer('up')
+    editor.fields.setLayer('up')
     expect(strokes().map(({ layer }) => layer)).toEqual(['up', 'up', 'up'])
-    editor.setGroup('scar')
+    editor.fields.setGroup('scar')
     expect(strokes().map(({ group }) => group)).toEqual(['scar', 'scar', 'scar'])
     expect(session.document.value!.areas.filter(({ name }) => name === 'scar').length).toBe(1)
     editor.mirror()
