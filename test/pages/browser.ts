@@ -24,8 +24,8 @@ export async function openPage(
   options?: Parameters<Browser['newPage']>[0],
 ): Promise<{ page: Page; complaints: string[] }> {
   const context = await browser.newContext(options)
+  context.setDefaultTimeout(PATIENCE)
   const page = await context.newPage()
-  page.setDefaultTimeout(PATIENCE)
   const complaints: string[] = []
   page.on('console', (message) => {
     if (message.type() === 'error') complaints.push(message.text())
