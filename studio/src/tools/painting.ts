@@ -189,7 +189,6 @@ export class Painting {
   /** Activates a tool while painting is on and `shape` is chosen. */
   #bind(host: ToolHost, tool: StageTool, shape: PaintShape): void {
     effect(() => {
-      this.#parts.viewer.value
       if (!this.isOn.value || this.shape.value !== shape) host.leave(tool)
       else host.choose(tool)
     })

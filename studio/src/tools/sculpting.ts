@@ -117,7 +117,6 @@ export class Sculpting {
     })
     this.#tools.push({ tool, host })
     effect(() => {
-      this.#parts.viewer.value
       if (this.isOn.value) host.choose(tool)
       else host.leave(tool)
     })
