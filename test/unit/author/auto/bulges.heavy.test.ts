@@ -16,7 +16,7 @@ import { FACES } from './faces.ts'
 const REGIONS = ['bag', 'hood', 'cheek', 'jowl'] as const
 const NAMES = REGIONS.flatMap((region) => [`${region}Left`, `${region}Right`])
 /** Range of the heights at 70 years, in millimetres. */
-const HEIGHTS = [1, 2.2] as const
+const HEIGHTS = [1.2, 3] as const
 /** Maximum slope that areas show at 80 years. */
 const STEEPEST = 0.85
 
@@ -48,7 +48,7 @@ describe.each(FACES)('%s', (_, path) => {
     expect(new Set(layerOf().strokes.map(({ group }) => group))).toEqual(new Set(NAMES))
   })
 
-  test.each(NAMES)('shows nothing of %s at 35, little at 50, and 1 to 2.2 mm at 70', (name) => {
+  test.each(NAMES)('shows nothing of %s at 35, little at 50, and 1.2 to 3 mm at 70', (name) => {
     expect(activations(BULGES_FROM)[name]).toBe(0)
     expect(activations(50)[name]).toBeLessThan(0.5 * activations(70)[name]!)
     const { weights } = old.bulges.find((bulge) => bulge.name === name)!

@@ -20,24 +20,20 @@ interface LipLines {
   inside: number
   /** Range of lengths outside the red, relative to the skin between the red and the nose (upper lip) or the groove above the chin (lower lip). */
   lengths: readonly [low: number, high: number]
-  /** Range of depths relative to the deepest line. */
-  depths: readonly [low: number, high: number]
   /** Distance of the innermost lines from the middle of the face, relative to that of the corner of the mouth. The philtrum has no lines. */
   innermost: number
 }
 
 const UPPER: LipLines = {
-  counts: [8, 14],
-  inside: 0.35,
-  lengths: [0.2, 0.85],
-  depths: [0.45, 1],
+  counts: [10, 18],
+  inside: 0.5,
+  lengths: [0.15, 0.95],
   innermost: 0.24,
 }
 const LOWER: LipLines = {
-  counts: [7, 12],
-  inside: 0.5,
-  lengths: [0.45, 0.95],
-  depths: [0.6, 1],
+  counts: [9, 16],
+  inside: 0.6,
+  lengths: [0.3, 1],
   innermost: 0,
 }
 /** Distance of the outermost lines from the middle of the face, relative to that of the corner of the mouth. */
@@ -45,7 +41,13 @@ const OUTERMOST = 0.8
 /** Minimum length of a line outside the red, in millimetres. */
 const MIN_LENGTH = 2.5
 /** Depths along a line, from its start in the red. */
-const DEPTHS = [0.45, 0.9, 1, 0.75, 0.4]
+const DEPTHS = [0.7, 1, 0.9, 0.65, 0.4]
+/** Depth and width of the shortest line relative to the longest line. */
+const SHORTEST = { depth: 0.4, width: 0.65 } as const
+/** Slope of the outermost lines away from the vertical. Lines lean outwards in proportion to their distance from the middle. */
+const LEAN = 0.4
+/** Maximum random change of the slope, and of a line's place as a multiple of the distance between lines. */
+const UNEVEN = { lean: 0.2, place: 0.8 } as const
 /** Minimum fraction of length that pursed lips lose. Blendshapes of many heads push the lips forwards without compressing all of their skin. */
 const COMPRESSION = 0.1
 /** Exponent applied to the position of a line between middle (0) and corner of the mouth (1). Below 1, lines are closer together near the corners. */
@@ -62,19 +64,23 @@ function lip(context: FaceContext, name: 'upperLip' | 'lowerLip', away: 1 | -1):
   const rng = rngOf(name)
   const [corner] = chartPointOf(landmarks.mouthCorner)
   const border = away > 0 ? upperBorder(context) : lowerBorder(context)
-  const { counts, inside, lengths, depths, innermost } = away > 0 ? UPPER : LOWER
+  const { counts, inside, lengths, innermost } = away > 0 ? UPPER : LOWER
   const lines = Math.round(densityOf(name) * (byAge(...counts) + rng.jitter(1)))
   const draw = (rng: FaceRng, i: number): Guide => {
-    const place = (2 * (i + 0.5 + rng.across(0.42))) / lines - 1
-    const across = Math.sign(place) * corner * lerp(innermost, OUTERMOST, power(Math.abs(place), CROWDING))
+    const place = (2 * (i + 0.5 + rng.across(UNEVEN.place))) / lines - 1
+    // Places beyond the outermost one are mirrored at it.
+    const fromMiddle = 1 - Math.abs(1 - Math.abs(place))
+    const across = Math.sign(place) * corner * lerp(innermost, OUTERMOST, power(fromMiddle, CROWDING))
     const { up: from, red, space } = border(across)
     // Beside the nose, long lines would reach the nasolabial fold.
     const shortening = 1 - (0.5 * across * across) / (corner * corner)
+    // The square makes most lines short and shallow, and few long and deep.
+    const size = rng.uniform(0, 1) ** 2
     const begin = inside * red
-    const length = begin + Math.max(MIN_LENGTH, space * shortening * rng.uniform(...lengths))
+    const length = begin + Math.max(MIN_LENGTH, space * shortening * lerp(...lengths, size))
     const start = from - away * begin
-    const lean = 0.08 * across + rng.across(1.2)
-    const depth = rng.uniform(...depths)
+    const lean = length * ((LEAN * across) / corner + rng.across(UNEVEN.lean))
+    const depth = lerp(SHORTEST.depth, 1, size)
     // A line in the middle would lie in the philtrum, so it vanishes on a symmetric face.
     const isMiddle = 2 * i + 1 === lines && innermost > 0
     return {
@@ -85,10 +91,10 @@ function lip(context: FaceContext, name: 'upperLip' | 'lowerLip', away: 1 | -1):
         [across + 0.6 * lean, start + (away * 2 * length) / 3],
         [across + lean, start + away * length],
       ),
-      width: byAge(1.7, 2.1),
+      width: byAge(1.9, 2.4) * lerp(SHORTEST.width, 1, size),
       depth: isMiddle ? rng.towards(0, depth) : depth,
       depths: DEPTHS,
-      taper: [0.4, 0.7],
+      taper: [0.3, 0.6],
       shoulder: [0.8, 0.8],
       softness: 0.95,
     }

@@ -49,7 +49,7 @@ export function mouthCorner(
   ]
   if (ageFraction > MARIONETTE_AGE) {
     const [across, up] = [corner + rng.uniform(0, 4.5), mouth - rng.uniform(2, 6)]
-    const [curve, lean] = [rng.uniform(1, 4), rng.uniform(-1.5, 4)]
+    const [curve, lean] = [rng.uniform(2.5, 5), rng.uniform(-1.5, 3)]
     const length = byAge(9, 24) * rng.uniform(0.75, 1.1)
     guides.push({
       path: bezierPath(
@@ -59,7 +59,7 @@ export function mouthCorner(
         [across + curve + 0.5 * lean, up - 0.7 * length],
         [across + lean, up - length],
       ),
-      width: byAge(3.4, 5),
+      width: byAge(4.4, 7),
       depth: byAge(0.4, 0.85) * rng.uniform(0.8, 1),
       depths: [0.3, 0.8, 1, 0.8, 0.5, 0.3],
       taper: [0.5, 0.5],

@@ -7,13 +7,18 @@ import { wingGroove } from './wing-groove.ts'
 /** Fraction by which a smile is assumed to shorten the cheek across the fold. The blendshapes of many heads compress it less near the lips. */
 const COMPRESSION = 0.3
 /** Height of the fold's start above the base of the nose, in millimetres. */
-const START = 9
+const START = 11
 /** Distance in millimetres at which the fold passes the corner of the smiling mouth. */
-const BESIDE_MOUTH = 10.5
+const BESIDE_MOUTH = 12
 /** Length of the handles of the curve, as a fraction of the distance between its ends. */
 const HANDLE = 0.36
 /** Depths along the fold. The upper half is deepest. */
-const DEPTHS = [0.6, 0.95, 1, 1, 0.9, 0.75, 0.55]
+const DEPTHS = [0.8, 1, 1, 1, 0.85, 0.65, 0.5]
+/**
+ * Angles between the fold and the straight line between its ends, at its start and end, in radians. A full smile bends the lower half more than
+ * the upper half, so the drawn curve bends more at its start.
+ */
+const BENDS = [0.68, 0.42] as const
 
 /**
  * Creates the nasolabial fold: a deep line that starts in the groove beside the wing of the nose and passes the corner of the mouth. The cheek
@@ -31,12 +36,12 @@ export function nasolabial(context: FaceContext, side: Side, name: string): Face
   const height = landmarks.noseBase + START + rng.jitter(1.5)
   const start = smiling(wingGroove(context, side, height), height)
   const corner = smiling(...chartPointOf(landmarks.mouthCorner))
-  const end = [corner[0] + BESIDE_MOUTH + rng.jitter(1), corner[1] - byAge(2, 9) + rng.jitter(2.5)] as const
+  const end = [corner[0] + BESIDE_MOUTH + rng.jitter(1), corner[1] - byAge(9, 16) + rng.jitter(2.5)] as const
   const [dx, dy] = [end[0] - start[0], end[1] - start[1]]
   const handle = HANDLE * length2(dx, dy)
-  // Compared with a straight line between its ends, the fold begins further outwards. It ends downwards, beside the mouth.
-  const leaving = atan2(dy, dx) + 0.3 + rng.jitter(0.15)
-  const arriving = -Math.PI / 2 + rng.jitter(0.15)
+  const straight = atan2(dy, dx)
+  const leaving = straight + BENDS[0] + rng.jitter(0.15)
+  const arriving = straight - BENDS[1] + rng.jitter(0.15)
   const path = bezierPath(
     side,
     start,
@@ -55,20 +60,20 @@ export function nasolabial(context: FaceContext, side: Side, name: string): Face
     guides: [
       {
         path: relaxedPath(moved, path),
-        width: byAge(3.4, 4.2),
+        width: byAge(4, 5),
         depth: 1,
         depths: DEPTHS,
-        taper: [0.04, 0.4],
+        taper: [0.14, 0.5],
         // The cheek hangs over the fold, so the bank on the cheek's side is higher.
         shoulder: side > 0 ? [1, 0.15] : [0.15, 1],
-        lean: side * 0.25,
-        softness: byAge(0.6, 0.45),
+        lean: side * 0.35,
+        softness: byAge(0.75, 0.55),
       },
     ],
     spacing: 12,
     creasedFraction: byAge(0.4, 0.8),
     maxDepth: byAge(0.9, 1.8),
-    atRest: 0.55,
+    atRest: 0.62,
     assumedCompression: COMPRESSION,
     reach: 6,
     feather: 6,

@@ -68,7 +68,7 @@ export interface Guide extends LineStyle {
 
 /** Skin that buckles under compression, see `buckle`. */
 export interface SkinFilm {
-  /** Origin of the skin's random variation, on the head's chart. */
+  /** Origin of the skin's random variation, on the head's chart. Lines start at the end that is nearer to it. */
   centre: ChartPoint
   /**
    * Returns whether a point is inside the flattened patch. This patch of skin is flattened to a plane, in which the folds are computed. It

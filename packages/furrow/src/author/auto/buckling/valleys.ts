@@ -85,6 +85,11 @@ export function traceValleys(relief: Relief, settings: ValleySettings): Valley[]
   return valleys
 }
 
+/** Returns a valley with its first point last. */
+export function reversedValley({ points, depths, joins: [first, last] }: Valley): Valley {
+  return { points: reversed(points), depths: [...depths].reverse(), joins: [last, first] }
+}
+
 /** Returns the position of a sample. */
 function positionOf(sample: number, { width, spacing }: PeriodicGrid): [x: number, y: number] {
   return [(sample % width) * spacing, Math.floor(sample / width) * spacing]

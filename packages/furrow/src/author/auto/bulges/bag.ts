@@ -32,7 +32,7 @@ export function bag({ landmarks, openingOf, rngOf }: FaceContext, side: Side, na
           [at(1), margin - 4],
         ),
         width: 12,
-        height: 1.8 * size,
+        height: 2.5 * size,
         taper: [0.4, 0.4],
       },
       {
@@ -44,7 +44,7 @@ export function bag({ landmarks, openingOf, rngOf }: FaceContext, side: Side, na
           [at(1.02), margin - 6],
         ),
         width: 5.5,
-        height: -0.5 * size,
+        height: -0.9 * size,
         heights: [1, 1, 0.85, 0.6, 0.4],
         taper: [0.3, 0.5],
       },

@@ -26,7 +26,7 @@ export function cheek(context: FaceContext, side: Side, name: string): BulgeRegi
           [bottom, mouth + 2],
         ),
         width: 26,
-        height: 1.5 * unevenness(rng),
+        height: 1.9 * unevenness(rng),
         // The side of the fold is steeper.
         lean: -side * 0.35,
         taper: [0.5, 0.5],

@@ -27,7 +27,7 @@ export function hood({ landmarks, rngOf }: FaceContext, side: Side, name: string
           [at(1.2), corner + OUTER_CREST - 3 - drop],
         ),
         width: 12,
-        height: 1.9 * unevenness(rng),
+        height: 2.6 * unevenness(rng),
         heights: [0.5, 0.8, 1, 0.9, 0.5],
         // The hood slopes gently to the brow, and overhangs the crease.
         lean: -side * 0.1,

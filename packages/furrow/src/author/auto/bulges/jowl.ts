@@ -4,10 +4,10 @@ import { bezierPath, chartPointOf, type FaceContext, type Side } from '../anatom
 import { type BulgeRegion, unevenness } from './bulge-region.ts'
 
 /** Distances beside the corner of the mouth, in millimetres: front and back end of the jowl. */
-const FRONT = 4
-const BACK = 40
+const FRONT = 6
+const BACK = 33
 /** Height of the jowl's crest above the edge of the jaw, in millimetres. */
-const ABOVE_JAW = 10.5
+const ABOVE_JAW = 6.5
 /** Range, in millimetres, in which the edge of the jaw is searched: below the corner of the mouth, and below the chin. */
 const SEARCHED = [4, 18] as const
 
@@ -41,22 +41,24 @@ export function jowl({ landmarks, radiusAt, rngOf }: FaceContext, side: Side, na
           above(0, ABOVE_JAW + 1),
           above(0.33, ABOVE_JAW - 0.5),
           above(0.67, ABOVE_JAW),
-          above(1, ABOVE_JAW + 3),
+          above(1, ABOVE_JAW + 2),
         ),
-        width: 23,
-        height: 2.2 * size,
-        taper: [0.4, 0.6],
+        width: 25,
+        height: 3 * size,
+        // The jowl is fullest behind the groove.
+        heights: [0.8, 1, 0.85, 0.55, 0.25],
+        taper: [0.5, 0.6],
       },
       {
         path: bezierPath(
           side,
           [corner + 1, mouth - 14],
           [corner + 2.5, mouth - 19],
-          above(-0.15, ABOVE_JAW),
+          above(-0.15, ABOVE_JAW + 2),
           above(-0.1, 1),
         ),
         width: 8,
-        height: -0.6 * size,
+        height: -0.9 * size,
         taper: [0.5, 0.4],
       },
     ],

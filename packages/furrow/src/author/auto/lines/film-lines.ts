@@ -6,9 +6,9 @@ import type { FilmNoise } from '../buckling/film-noise.ts'
 import { flatChart } from '../buckling/flat-chart.ts'
 import { Relief } from '../buckling/relief.ts'
 import { type ChartSamples, liftLine, sampleAt, sampleChart } from '../buckling/sample-chart.ts'
-import { traceValleys, type Valley } from '../buckling/valleys.ts'
+import { reversedValley, traceValleys, type Valley } from '../buckling/valleys.ts'
 import type { DetectedFace } from '../surface/detect-face.ts'
-import { type ChartPoint, type HeadChart, unrollPoint } from '../surface/head-chart.ts'
+import { type ChartPoint, type HeadChart, unroll, unrollPoint } from '../surface/head-chart.ts'
 import { type FilmFields, filmFields } from './film-fields.ts'
 import { keptRuns, type LaidLine } from './laid-line.ts'
 import { STEP } from './trace.ts'
@@ -78,7 +78,9 @@ function foldFilm(
   return {
     samples,
     fields,
-    valleys: valleys.filter((valley) => alignment(samples, fields, valley) > ALIGNED),
+    valleys: valleys
+      .filter((valley) => alignment(samples, fields, valley) > ALIGNED)
+      .map((valley) => outwards(samples, valley, film.centre)),
   }
 }
 
@@ -129,6 +131,18 @@ function alignment(samples: ChartSamples, { pull: [pullX, pullY] }: FilmFields, 
     sum += Math.abs(dx * pullY[sample] - dy * pullX[sample]) / (length2(dx, dy) || 1)
   }
   return sum / (points.length / 2 - 1)
+}
+
+/** Lets a valley start at the end that is nearer to a point of the head's chart. */
+function outwards(samples: ChartSamples, valley: Valley, [across, up]: ChartPoint): Valley {
+  const [first] = liftLine(samples, valley.points.slice(0, 2))
+  const [last] = liftLine(samples, valley.points.slice(-2))
+  if (!first || !last) return valley
+  const distanceTo = ({ position: [x, y, z] }: SurfacePoint) => {
+    const point = unroll(x, y, z)
+    return length2(point[0] - across, point[1] - up)
+  }
+  return distanceTo(first) <= distanceTo(last) ? valley : reversedValley(valley)
 }
 
 /**
