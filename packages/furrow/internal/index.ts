@@ -8,6 +8,15 @@ export { AUTO_STEPS, strokesOf } from '../src/author/auto/auto.ts'
 export type { AutoBlood, BloodArea } from '../src/author/auto/blood/draw-blood.ts'
 export { BULGES_FROM } from '../src/author/auto/bulges/bulge-driver.ts'
 export type { BulgeArea } from '../src/author/auto/bulges/draw-bulges.ts'
+export {
+  type ChosenSurfaces,
+  chooseSurfaces,
+  foldsLimb,
+  isFoldedAs,
+} from '../src/author/auto/character/choose-surfaces.ts'
+export { judgeKind } from '../src/author/auto/character/judge-kind.ts'
+export { CHARACTER_LIMITS, CharacterBudget } from '../src/author/auto/character/limits.ts'
+export { SURFACE_KINDS, type SurfaceKind } from '../src/author/auto/character/surface-kinds.ts'
 export type { MissingRegion } from '../src/author/auto/fit/fit-driver.ts'
 export type { AutoFurrows, FurrowArea } from '../src/author/auto/furrows/draw-net.ts'
 export { type AreaLineSettings, layAreaLines } from '../src/author/auto/lines/area-lines.ts'
@@ -29,6 +38,7 @@ export type { LandmarkPosition as Place, Landmarks } from '../src/author/auto/su
 export { skinSurface } from '../src/author/auto/surface/skin-surface.ts'
 export { faceShapeFinder } from '../src/author/auto/surface/stand-ins.ts'
 export { moveToFirstTile } from '../src/author/auto/surface/uv-tiles.ts'
+export { surfaceOptions } from '../src/author/auto/surface-options.ts'
 export { type AutoDriver, autoDrivers } from '../src/author/auto/wrinkle-set.ts'
 export { meshDiagonal } from '../src/author/bake/bake.ts'
 export { sharedNormals } from '../src/author/bake/mesh.ts'
