@@ -11,8 +11,11 @@ export type { BulgeArea } from '../src/author/auto/bulges/draw-bulges.ts'
 export {
   type ChosenSurfaces,
   chooseSurfaces,
+  clothNote,
+  emptyAside,
   foldsLimb,
   isFoldedAs,
+  kindNote,
 } from '../src/author/auto/character/choose-surfaces.ts'
 export { judgeKind } from '../src/author/auto/character/judge-kind.ts'
 export { CHARACTER_LIMITS, CharacterBudget } from '../src/author/auto/character/limits.ts'
@@ -109,6 +112,7 @@ export { BLOOD_AMPLITUDE, changedBlood, valleyBlood } from '../src/author/valley
 export { buffersOf } from '../src/auto/buffers.ts'
 export { skinOf } from '../src/auto/character.ts'
 export { recogniseShapesInWorker } from '../src/auto/recognise-in-worker.ts'
+export { keyRotations, rotationChannels, skinJoints } from '../src/auto/skeleton-json.ts'
 export { type ActivationPointer, parseActivationPointer } from '../src/core/activation-pointer.ts'
 export { BLOOD_ABSORPTION, BLOOD_AT_REST, MAX_BLOOD_AMPLITUDE } from '../src/core/blood.ts'
 export { type Bounds, boundsOf, grown } from '../src/core/bounds.ts'

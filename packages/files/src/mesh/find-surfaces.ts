@@ -1,7 +1,15 @@
 import type { Document } from '@gltf-transform/core'
 import { FurrowError } from 'furrow'
 import type { ClothKind } from 'furrow/author'
-import { type ChosenSurfaces, chooseSurfaces, didYouMean, type SurfaceKind } from 'furrow/internal'
+import {
+  type ChosenSurfaces,
+  chooseSurfaces,
+  clothNote,
+  didYouMean,
+  emptyAside,
+  kindNote,
+  type SurfaceKind,
+} from 'furrow/internal'
 import { sourceOf } from '../gltf/document.ts'
 import { allSurfaces, chosenSkin, type FoundSkin, findSkin, type LimbSurface } from './find-skin.ts'
 
@@ -43,13 +51,15 @@ export function findSurfaces(
     materialJson: materials[surface.material],
     isLit: isLit(surface.material),
   }))
-  const chosen = chooseSurfaces(candidates, { kinds, cloth, askForKind })
+  const chosen = chooseSurfaces(candidates, { kinds, cloth })
   if (chosen.surfaces.length === 0) throw nothingFound(document, path, who, mesh, chosen)
   const surfaces = chosen.surfaces.map(({ candidate, skin, tubes, cloth, choice }): FoundSkin => {
     const found = choice ? chosenSkin(candidates, choice) : candidate
     return { ...found, skin, tubes, ...(cloth !== undefined && { cloth }) }
   })
-  return { surfaces, notes: chosen.notes }
+  const { unknown, unfolded } = chosen
+  const notes = unknown.map((surface) => kindNote(surface, askForKind(surface.meshName)))
+  return { surfaces, notes: unfolded.length > 0 ? [...notes, clothNote(unfolded)] : notes }
 }
 
 function askForKind(mesh: string): string {
@@ -61,15 +71,14 @@ function nothingFound(
   path: string,
   who: string,
   mesh: string | undefined,
-  { notes, unknown }: ChosenSurfaces<LimbSurface>,
+  chosen: ChosenSurfaces<LimbSurface>,
 ): FurrowError {
   // Reports files without any usable mesh, and unknown names of meshes.
   findSkin(document, path, who, mesh)
-  const judged = unknown ? [`mesh "${unknown.meshName}" may be skin, cloth or hard`] : notes
-  const aside = judged.length > 0 ? ` (${judged[0]})` : ''
+  const [unknown] = chosen.unknown
   return new FurrowError({
     who,
-    problem: `no blendshapes, and no skin or cloth that joints of a humanoid move, in ${path}${aside}`,
+    problem: `no blendshapes, and no skin or cloth that joints of a humanoid move, in ${path}${emptyAside(chosen)}`,
     remedy: unknown
       ? askForKind(unknown.meshName)
       : 'export the face with its blendshapes, or the body with its skeleton',

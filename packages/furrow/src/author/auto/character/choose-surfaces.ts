@@ -21,8 +21,6 @@ export interface SurfaceSettings {
   kinds?: ReadonlyMap<string, SurfaceKind> | undefined
   /** Kind of all cloth. Default: told by the names of materials and meshes. */
   cloth?: ClothKind | undefined
-  /** Returns a clause that tells the user how to state the kind of a mesh. */
-  askForKind: (meshName: string) => string
 }
 
 /** Surface that gets wrinkles. */
@@ -41,16 +39,16 @@ export interface ChosenSurface<T> {
 export interface ChosenSurfaces<T> {
   /** The face, if blendshapes move a surface. The other surfaces follow, largest first. */
   surfaces: ChosenSurface<T>[]
-  /** Surfaces that get no wrinkles, although joints move them. Each note is a complete sentence without a full stop. */
-  notes: string[]
-  /** Surface of unknown kind that would get wrinkles if the user stated its kind. */
-  unknown: T | undefined
+  /** Surfaces of unknown kind, which would get wrinkles if the user stated it. */
+  unknown: T[]
+  /** Cloth that joints move, but do not fold. */
+  unfolded: T[]
 }
 
 /** Chooses the surfaces of a character that get wrinkles: the face, which blendshapes move, and all skin and cloth that joints fold. */
 export function chooseSurfaces<T extends SurfaceCandidate>(
   candidates: readonly T[],
-  { kinds, cloth, askForKind }: SurfaceSettings,
+  { kinds, cloth }: SurfaceSettings,
 ): ChosenSurfaces<T> {
   const judged = candidates.map((candidate) => ({
     candidate,
@@ -78,13 +76,39 @@ export function chooseSurfaces<T extends SurfaceCandidate>(
   const still = choice && candidates[choice.index]
   if (surfaces.length === 0 && still && still.skin.targets.length > 0)
     surfaces.push({ ...withoutSkeleton(still), choice })
-  const unknown = others.filter(({ kind }) => kind === undefined)
-  const unfolded = others.filter((one) => one.kind === 'cloth' && !isFolded(one))
+  const candidatesOf = (list: typeof judged) => list.map(({ candidate }) => candidate)
   return {
     surfaces: largestFirst(surfaces),
-    notes: [...unknown.map(({ candidate }) => noteOf(candidate, askForKind)), ...clothNote(unfolded)],
-    unknown: unknown[0]?.candidate,
+    unknown: candidatesOf(others.filter(({ kind }) => kind === undefined)),
+    unfolded: candidatesOf(others.filter((one) => one.kind === 'cloth' && !isFolded(one))),
   }
+}
+
+/**
+ * Returns a complete sentence without a full stop: why a surface of unknown kind gets no wrinkles.
+ *
+ * @param remedy tells how to state the kind.
+ */
+export function kindNote(
+  { meshName, materialName, limbs }: Pick<SurfaceCandidate, 'meshName' | 'materialName' | 'limbs'>,
+  remedy: string,
+): string {
+  return `mesh "${meshName}", material "${materialName}" (${limbs.join(', ')}) may be skin, cloth or hard, and gets no wrinkles: ${remedy}`
+}
+
+/** Returns a complete sentence without a full stop: why cloth gets no folds. */
+export function clothNote(unfolded: readonly SurfaceNames[]): string {
+  const names = unfolded.map(({ meshName }) => `"${meshName}"`).join(', ')
+  return `cloth folds at elbows, knees and waists only, so it gets no folds: ${names}`
+}
+
+/** Returns in parentheses why none of the surfaces that joints move gets wrinkles. Returns an empty text if there are none. */
+export function emptyAside({
+  unknown: [unknown],
+  unfolded,
+}: Pick<ChosenSurfaces<SurfaceNames>, 'unknown' | 'unfolded'>): string {
+  if (unknown) return ` (mesh "${unknown.meshName}" may be skin, cloth or hard)`
+  return unfolded.length > 0 ? ` (${clothNote(unfolded)})` : ''
 }
 
 /** Returns whether joints of any of the given limbs fold a surface. */
@@ -127,17 +151,4 @@ function largestFirst<T>([first, ...others]: readonly ChosenSurface<T>[]): Chose
   const size = ({ skin }: ChosenSurface<T>) => surfaceArea(skin.positions, skin.indices)
   const sized = others.map((surface) => ({ surface, size: size(surface) })).sort((a, b) => b.size - a.size)
   return [first, ...sized.map(({ surface }) => surface)]
-}
-
-function noteOf(
-  { meshName, materialName, limbs }: SurfaceCandidate,
-  askForKind: SurfaceSettings['askForKind'],
-): string {
-  return `mesh "${meshName}", material "${materialName}" (${limbs.join(', ')}) may be skin, cloth or hard, and gets no wrinkles: ${askForKind(meshName)}`
-}
-
-function clothNote(cloth: readonly { candidate: SurfaceCandidate }[]): string[] {
-  if (cloth.length === 0) return []
-  const names = cloth.map(({ candidate }) => `"${candidate.meshName}"`).join(', ')
-  return [`cloth folds at elbows, knees and waists only, so it gets no folds: ${names}`]
 }
