@@ -83,21 +83,10 @@ async function addAutoWrinkles(
   const failures: { error: unknown; name: string }[] = []
   const add = async (part: MeshWrinkles) => {
     const skin = skins[part.mesh]!
-    if (signal.aborted || !inUse.has(skin)) return
+    if (!inUse.has(skin)) return
     try {
-      // Other meshes may use the material with other texture coordinates.
-      const surface = surfaceOf(skin[0]![0])
-      const others = faces.filter((face) => !skin.includes(face)).flat()
-      separateOthers(
-        others.filter((mesh) => surfaceOf(mesh) === surface),
-        surface,
-      )
-      const made = setOf(part)
-      for (const meshes of skin) {
-        const wrinkles = await addFace(meshes, made)
-        meshOf(wrinkles).appear(new Appearance(FADE_IN, wrinkles.clock))
-        file.userData.wrinkles.push(wrinkles)
-      }
+      separateMeshes(skin, faces)
+      await addToFaces(file, skin, setOf(part), addFace)
     } catch (error) {
       failures.push({ error, name: read[part.mesh].mesh.meshName })
     }
@@ -124,6 +113,29 @@ async function addAutoWrinkles(
     inUse.end()
     for (const { error, name } of failures)
       warnings.add(error, consequenceFor(file, `mesh ${JSON.stringify(name)} is`))
+  }
+}
+
+/** Replaces the material of a skin on other meshes, which may use it with other texture coordinates. */
+function separateMeshes(skin: readonly Meshes[], faces: readonly Meshes[]): void {
+  const surface = surfaceOf(skin[0][0])
+  const others = faces.filter((face) => !skin.includes(face)).flat()
+  separateOthers(
+    others.filter((mesh) => surfaceOf(mesh) === surface),
+    surface,
+  )
+}
+
+async function addToFaces(
+  file: GLTF,
+  faces: readonly Meshes[],
+  made: FileWrinkles,
+  addFace: AddFace,
+): Promise<void> {
+  for (const meshes of faces) {
+    const wrinkles = await addFace(meshes, made)
+    meshOf(wrinkles).appear(new Appearance(FADE_IN, wrinkles.clock))
+    file.userData.wrinkles.push(wrinkles)
   }
 }
 
