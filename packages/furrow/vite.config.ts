@@ -61,7 +61,7 @@ const CHUNKS: [chunk: string, pattern: RegExp][] = [
   ['webgpu', /^three\/webgpu\//],
   [
     'core',
-    /^(core|math|drivers|runtime|relief)\/|^auto\/run-options|^author\/auto\/(options|anatomy\/region-names)/,
+    /^(core|math|drivers|runtime|relief)\/|^auto\/run-options|^author\/auto\/(options|anatomy\/region-names|character\/surface-kinds|cloth\/cloth-kinds)/,
   ],
 ]
 

@@ -109,6 +109,7 @@ const WITHIN = [
       'blood',
       'bulges',
       'furrows',
+      'character',
     ],
     shared: [],
   },

@@ -8,6 +8,18 @@ export { AUTO_STEPS, strokesOf } from '../src/author/auto/auto.ts'
 export type { AutoBlood, BloodArea } from '../src/author/auto/blood/draw-blood.ts'
 export { BULGES_FROM } from '../src/author/auto/bulges/bulge-driver.ts'
 export type { BulgeArea } from '../src/author/auto/bulges/draw-bulges.ts'
+export {
+  type ChosenSurfaces,
+  chooseSurfaces,
+  clothNote,
+  emptyAside,
+  foldsLimb,
+  isFoldedAs,
+  kindNote,
+} from '../src/author/auto/character/choose-surfaces.ts'
+export { judgeKind } from '../src/author/auto/character/judge-kind.ts'
+export { CHARACTER_LIMITS, CharacterBudget } from '../src/author/auto/character/limits.ts'
+export { SURFACE_KINDS, type SurfaceKind } from '../src/author/auto/character/surface-kinds.ts'
 export type { MissingRegion } from '../src/author/auto/fit/fit-driver.ts'
 export type { AutoFurrows, FurrowArea } from '../src/author/auto/furrows/draw-net.ts'
 export { type AreaLineSettings, layAreaLines } from '../src/author/auto/lines/area-lines.ts'
@@ -29,6 +41,7 @@ export type { LandmarkPosition as Place, Landmarks } from '../src/author/auto/su
 export { skinSurface } from '../src/author/auto/surface/skin-surface.ts'
 export { faceShapeFinder } from '../src/author/auto/surface/stand-ins.ts'
 export { moveToFirstTile } from '../src/author/auto/surface/uv-tiles.ts'
+export { surfaceOptions } from '../src/author/auto/surface-options.ts'
 export { type AutoDriver, autoDrivers } from '../src/author/auto/wrinkle-set.ts'
 export { meshDiagonal } from '../src/author/bake/bake.ts'
 export { sharedNormals } from '../src/author/bake/mesh.ts'
@@ -99,6 +112,7 @@ export { BLOOD_AMPLITUDE, changedBlood, valleyBlood } from '../src/author/valley
 export { buffersOf } from '../src/auto/buffers.ts'
 export { skinOf } from '../src/auto/character.ts'
 export { recogniseShapesInWorker } from '../src/auto/recognise-in-worker.ts'
+export { keyRotations, rotationChannels, skinJoints } from '../src/auto/skeleton-json.ts'
 export { type ActivationPointer, parseActivationPointer } from '../src/core/activation-pointer.ts'
 export { BLOOD_ABSORPTION, BLOOD_AT_REST, MAX_BLOOD_AMPLITUDE } from '../src/core/blood.ts'
 export { type Bounds, boundsOf, grown } from '../src/core/bounds.ts'

@@ -149,7 +149,7 @@ describe.each(RENDERERS)('a file without wrinkles on %s', (name) => {
       [
         'no blendshapes',
         withoutTargets,
-        /no mesh has blendshapes .* without the option auto \(the file is shown without wrinkles\)$/,
+        /no mesh has blendshapes, and joints .* without the option auto \(the file is shown without wrinkles\)$/,
       ],
       [
         'a blendshape that does nothing',

@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest'
-import { keep, keyOf, recall } from '../../../packages/furrow/src/auto/kept.ts'
+import { keep, keyOf, pack, recall } from '../../../packages/furrow/src/auto/kept.ts'
 
 const DATA = {
   name: 'ä',
@@ -43,31 +43,39 @@ afterEach(() => {
 
 describe('a cached result', () => {
   it('is found only under its key', async () => {
-    await keep('v1', 'a', DATA, () => {})
-    expect(await recall('v1', 'a')).toEqual(DATA)
+    await keep('v1', 'a', [pack(DATA)])
+    expect(await recall('v1', 'a')).toEqual([DATA])
     expect(await recall('v1', 'b')).toBeUndefined()
     expect(await recall('v2', 'a')).toBeUndefined()
   })
 
+  it('has several parts in their order', async () => {
+    const parts = [['a note'], DATA, { empty: new Float32Array(0) }, DATA]
+    await keep('v1', 'a', parts.map(pack))
+    expect(await recall('v1', 'a')).toEqual(parts)
+  })
+
   it('is a copy, so the caller may transfer the original', async () => {
     const data = structuredClone(DATA)
-    await keep('v1', 'a', data, () => structuredClone(data.bytes, { transfer: [data.bytes.buffer] }))
+    const packed = pack(data)
+    structuredClone(data.bytes, { transfer: [data.bytes.buffer] })
     expect(data.bytes.length).toBe(0)
-    expect(await recall('v1', 'a')).toEqual(DATA)
+    await keep('v1', 'a', [packed])
+    expect(await recall('v1', 'a')).toEqual([DATA])
   })
 
   it('is dropped by another version, and when 32 newer ones are stored', async () => {
     stored.set('of-the-page', new FakeCache())
-    await keep('v1', 'a', DATA, () => {})
-    for (let i = 0; i < 40; i++) await keep('v2', String(i), DATA, () => {})
+    await keep('v1', 'a', [pack(DATA)])
+    for (let i = 0; i < 40; i++) await keep('v2', String(i), [pack(DATA)])
     expect([...stored.keys()].sort()).toEqual(['furrow-auto-v2', 'of-the-page'])
     expect(stored.get('furrow-auto-v2')!.entries.size).toBe(32)
-    expect(await recall('v2', '39')).toEqual(DATA)
+    expect(await recall('v2', '39')).toEqual([DATA])
     expect(await recall('v2', '0')).toBeUndefined()
   })
 
   it('is ignored if damaged', async () => {
-    await keep('v1', 'a', DATA, () => {})
+    await keep('v1', 'a', [pack(DATA)])
     const { entries } = stored.get('furrow-auto-v1')!
     for (const [url, body] of entries) entries.set(url, body.slice(0, body.byteLength / 2))
     expect(await recall('v1', 'a')).toBeUndefined()
@@ -82,9 +90,7 @@ describe('a cached result', () => {
     ],
   ])('is skipped without an error if %s', async (_, storage) => {
     vi.stubGlobal('caches', storage)
-    const copied = vi.fn()
-    await keep('v1', 'a', DATA, copied)
-    expect(copied).toHaveBeenCalledOnce()
+    await keep('v1', 'a', [pack(DATA)])
     expect(await recall('v1', 'a')).toBeUndefined()
   })
 })
@@ -101,7 +107,7 @@ describe('a cache key', () => {
   it('is undefined on pages over plain HTTP, where nothing is cached', async () => {
     vi.stubGlobal('crypto', {})
     expect(await keyOf(DATA)).toBeUndefined()
-    await keep('v1', undefined, DATA, () => {})
+    await keep('v1', undefined, [pack(DATA)])
     expect(await recall('v1', undefined)).toBeUndefined()
     expect(stored.size).toBe(0)
   })

@@ -58,6 +58,14 @@ describe('mistakes', () => {
       () => new WrinkleLoaderPlugin(any(parser), { auto: { age: 450 } }),
     ],
     [
+      /^WrinkleLoaderPlugin auto: unknown option, got "kind", allowed: .*kinds; did you mean "kinds"\?$/,
+      () => new WrinkleLoaderPlugin(any(parser), { auto: any({ kind: {} }) }),
+    ],
+    [
+      /^WrinkleLoaderPlugin auto: invalid kind, got "wool", allowed: skin, cloth, hard; /,
+      () => new WrinkleLoaderPlugin(any(parser), { auto: { kinds: { Sweater: any('wool') } } }),
+    ],
+    [
       /^autoWrinkles: unknown region, got "crowfeet", allowed: .*; did you mean "crowsFeet"\?$/,
       () => autoWrinkles(any({}), { regions: [any('crowfeet')] }),
     ],

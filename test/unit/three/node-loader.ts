@@ -25,10 +25,15 @@ const ktx2Loader = {
   },
 }
 
-/** Loads a file with three.js's GLTFLoader in Node. */
-export async function loadInNode(bytes: Uint8Array): Promise<GLTF> {
+/** Replaces the functions of browsers that three.js's GLTFLoader needs. */
+export function fakeBrowser(): void {
   vi.stubGlobal('self', globalThis)
   vi.stubGlobal('createImageBitmap', createImageBitmap)
+}
+
+/** Loads a file with three.js's GLTFLoader in Node. */
+export async function loadInNode(bytes: Uint8Array): Promise<GLTF> {
+  fakeBrowser()
   const loader = new GLTFLoader().setKTX2Loader(ktx2Loader as unknown as KTX2Loader)
   return loader.parseAsync(new Uint8Array(bytes).buffer, '')
 }

@@ -1,7 +1,7 @@
 import { join } from 'node:path'
 import type { AutoArea, AutoWrinkles } from 'furrow/author'
+import { CHARACTER_LIMITS } from 'furrow/internal'
 import { type Cost, kilobytes } from 'furrow-files'
-import { CHARACTER_LIMITS } from './character-limits.ts'
 import type { WrinkledSurface } from './wrinkle-surface.ts'
 
 interface Outputs {

@@ -1,6 +1,6 @@
 import { FurrowError } from 'furrow'
 import { type AutoOptions, type AutoProgress, type AutoWrinkles, autoWrinkles } from 'furrow/author'
-import { WRINKLE_MAPS } from 'furrow/internal'
+import { CharacterBudget, surfaceOptions, WRINKLE_MAPS } from 'furrow/internal'
 import {
   addNormals,
   type Cost,
@@ -18,7 +18,7 @@ import {
   withCommandErrors,
 } from 'furrow-files'
 import { packAuto } from 'furrow-files/node'
-import { CharacterBudget, surfaceArea } from './character-limits.ts'
+import { mapBytes } from './map-bytes.ts'
 import type { Steps } from './steps.ts'
 
 const WITHOUT_NORMALS = 'the mesh has no normals; smooth normals were added, because wrinkles need them'
@@ -67,22 +67,20 @@ export interface WrinkledSurfaces {
 }
 
 /**
- * Makes wrinkles for the surfaces of a file, and embeds them. After the first surface, the largest ones come first, until the limits of a
- * character are reached.
+ * Makes wrinkles for the surfaces of a file in their order, and embeds them, until the limits of a character are reached.
  *
  * @param steps get the steps of the first surface. The other surfaces belong to the step `encoding`.
  */
 export async function wrinkleSurfaces(
   file: WrinkledSource,
-  [first, ...smaller]: readonly FoundSkin[],
+  surfaces: readonly FoundSkin[],
   settings: SurfaceSettings,
   steps: Steps,
 ): Promise<WrinkledSurfaces> {
-  const surfaces = [first, ...smaller]
+  const [first, ...others] = surfaces
   const kept = new Map(surfaces.map((found) => [found, keptIn(file.glb, found, file.who)]))
   if (settings.replace) stripAll(file, surfaces)
   const source = { ...file, kept, budget: new CharacterBudget() }
-  const others = [...smaller].sort((a, b) => surfaceArea(b.skin) - surfaceArea(a.skin))
   const [made, failed]: [WrinkledSurface[], WrinkledSurfaces['failed']] = [[], []]
   const add = (found: FoundSkin, result: WrinkledSurface | string) => {
     if (typeof result === 'string') failed.push({ found, reason: result })
@@ -91,7 +89,8 @@ export async function wrinkleSurfaces(
   const progress: AutoProgress = (done, count, step) => {
     if (done < count) steps.at(step, done % 1)
   }
-  add(first, await wrinkleSurface(source, first, settings, progress, () => steps.begin('encoding')))
+  const ofFirst = { ...settings, options: surfaceOptions(first, settings.options, true) }
+  add(first, await wrinkleSurface(source, first, ofFirst, progress, () => steps.begin('encoding')))
   for (const [i, found] of others.entries()) {
     const progress: AutoProgress = (done, count) =>
       steps.at('encoding', Math.min(0.99, (i + done / count) / others.length))
@@ -120,30 +119,19 @@ async function wrinkleSurface(
   if (addNormals(glb, document, found.mesh) > 0) skinWarnings.push(WITHOUT_NORMALS)
   skinWarnings.push(...faceWarnings(glb.json, found, found.materialName, who))
   const frame = found.hasTangents ? 'orthonormal' : 'derivative'
-  const wrinkles = withCommandErrors(who, () =>
-    autoWrinkles(
-      found.skin,
-      {
-        ...options,
-        ...(seed !== undefined && { seed }),
-        ...(found.cloth !== undefined && { cloth: found.cloth, furrows: false }),
-        tubes: found.tubes ?? false,
-        frame,
-      },
-      progress,
-    ),
-  )
+  const own = { ...options, ...(seed !== undefined && { seed }), frame } as const
+  const wrinkles = withCommandErrors(who, () => autoWrinkles(found.skin, own, progress))
   if (wrinkles.emptyReason !== undefined) return wrinkles.emptyReason
   encoding()
   const packed = await packAuto(wrinkles, ktx2, who)
-  const problem = budget.add(packed)
+  const problem = budget.add(packed.areas.length, mapBytes(packed))
   if (problem !== undefined) return problem
   embedWrinkles(glb, found.material, { ...packed, shapes: corrections }, who)
   const cost = costOf(await inspectWrinkles(parseWrinkledFile(glb, found.material, who), who), ktx2)
   return { found, wrinkles, cost, warnings: [...wrinkles.warnings, ...skinWarnings] }
 }
 
-/** Makes wrinkles for a further surface, without fine furrows. An error costs only this surface its wrinkles. */
+/** Makes wrinkles for a further surface. An error costs only this surface its wrinkles. */
 async function wrinkleOther(
   source: CharacterSource,
   found: FoundSkin,
@@ -151,7 +139,7 @@ async function wrinkleOther(
   progress: AutoProgress,
 ): Promise<WrinkledSurface | string> {
   try {
-    const own = { ...settings, options: { ...options, furrows: false } }
+    const own = { ...settings, options: surfaceOptions(found, options, false) }
     return await wrinkleSurface(source, found, own, progress)
   } catch (error) {
     if (error instanceof FurrowError) return error.problem

@@ -10,7 +10,7 @@ import {
   type ClothKind,
   parseAutoPreset,
 } from 'furrow/author'
-import { AUTO_STEPS, BULGES_FROM, strokesOf } from 'furrow/internal'
+import { AUTO_STEPS, BULGES_FROM, SURFACE_KINDS, type SurfaceKind, strokesOf } from 'furrow/internal'
 import {
   checkBasisSize,
   checkTriangles,
@@ -18,8 +18,6 @@ import {
   findSurfaces,
   jsonFile,
   parsePoses,
-  SURFACE_KINDS,
-  type SurfaceKind,
   shadingOf,
   withPoses,
 } from 'furrow-files'

@@ -113,7 +113,11 @@ export function bestSkin<T extends Candidate>(
       label: `${meshName} ${materialName}`,
     })),
   )
-  if (!choice) return undefined
+  return choice && chosenSkin(candidates, choice)
+}
+
+/** Describes the skin that `chooseSkin` chose among surfaces. */
+export function chosenSkin<T extends Candidate>(candidates: readonly T[], choice: SkinChoice): T & FoundSkin {
   const { index, fraction, movers } = choice
   const isFace = fraction > 0 && movers === FACE_MOVERS
   return { ...candidates[index], fraction, isFace, reason: reasonOf(choice, candidates.length) }

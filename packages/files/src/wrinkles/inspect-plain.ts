@@ -1,9 +1,8 @@
 import type { Document } from '@gltf-transform/core'
+import { foldsLimb, isFoldedAs, judgeKind, type SurfaceKind } from 'furrow/internal'
 import type { Glb } from '../gltf/glb.ts'
 import { targetNamesOf } from '../json/gltf-json.ts'
 import { allSurfaces, bestSkin, type FoundSkin } from '../mesh/find-skin.ts'
-import { foldsLimb, isFoldedAs } from '../mesh/find-surfaces.ts'
-import { judgeKind, type SurfaceKind } from '../mesh/surface-kind.ts'
 import { inspectShapes, type ShapeReport } from './inspect-shapes.ts'
 
 export interface MeshReport {
@@ -55,7 +54,7 @@ export function inspectPlain(
   const all = allSurfaces(document)
   const skin = bestSkin(all)
   const surfaces = all.map((surface): SurfaceReport => {
-    const { kind = 'unknown', reason } = judgeKind(glb.json, surface)
+    const { kind = 'unknown', reason } = judgeKind(glb.json.materials?.[surface.material], surface)
     const { meshName, materialName, limbs, limbJoints } = surface
     const creased = limbs.flatMap((limb, i) =>
       foldsLimb(kind, limb) ? [{ limb, joints: limbJoints[i] }] : [],

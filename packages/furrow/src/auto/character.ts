@@ -1,5 +1,7 @@
-import { joinParts, type SkinPart } from '../author/auto/surface/join-parts.ts'
+import type { MaterialJson, SurfaceNames } from '../author/auto/character/judge-kind.ts'
+import { joinParts, type PartInfluences, type SkinPart } from '../author/auto/surface/join-parts.ts'
 import type { TangentFrame } from '../author/normals/height-to-normal.ts'
+import type { SkinJoint } from '../author/skin/skeleton.ts'
 import type { Skin } from '../author/skin/surface.ts'
 
 /** Vectors in the layout of a vertex buffer. A page can send its vertex buffers to the worker without converting them. */
@@ -26,21 +28,21 @@ export interface PartData {
   /** Vertex positions of each blendshape, or offsets if `isRelative`. */
   targets: readonly VectorData[]
   isRelative: boolean
-  /** Joints and weights of the part's vertices. `whole` if all vertices follow the head joint; undefined if no vertex does. */
-  head?: HeadData | 'whole' | undefined
+  /** Joints that move the vertices: one set per four joints of a vertex. Empty if no joints do. */
+  influences: readonly InfluenceSet[]
+  /** For each joint of the skeleton, whether it belongs to the head. `whole` if all vertices follow the head; undefined if no vertex does. */
+  head?: readonly boolean[] | 'whole' | undefined
 }
 
-/** Skinning of vertices. Each vertex has four joints and four weights. */
-export interface HeadData {
+/** Four joints (indices into the skeleton) and their weights per vertex. */
+export interface InfluenceSet {
   joints: VectorData
   weights: VectorData
-  /** For each joint of the skeleton, whether it belongs to the head. */
-  isHead: readonly boolean[]
 }
 
 /** A mesh with one material. A mesh with several materials is passed as several `MeshData`. */
 export interface MeshData {
-  /** Names of the mesh and its material, for error messages. */
+  /** Names of the mesh and its material in the scene. */
   label: string
   parts: readonly PartData[]
   /** Names of the blendshapes, in the order of `PartData.targets`. */
@@ -49,20 +51,37 @@ export interface MeshData {
   expressions?: ReadonlyMap<number, string> | undefined
   /** Column-major 4 x 4 matrix from mesh to world space. */
   placement: readonly number[]
+  /** Joints of the skeleton in world space. Without joints, the skin has no skeleton. */
+  joints?: readonly SkinJoint[] | undefined
   /** Whether wrinkles can be added to the mesh's material. */
   isLit: boolean
   /** Tangent frame in which the renderer reads normal maps. */
   frame: TangentFrame
 }
 
-/** All meshes of a character that have blendshapes. One of them is the skin. */
-export type CharacterData = readonly MeshData[]
-
-export function skinOf({ parts, names, expressions, placement }: MeshData): Skin {
-  return joinParts(parts.map(partOf), names, placement, expressions)
+/** A mesh of a character with its names in the file, which tell whether it is skin, cloth or hard. */
+export interface CharacterMesh extends MeshData, SurfaceNames {
+  /** Material in the file; undefined if the file has none. */
+  materialJson: MaterialJson | undefined
 }
 
-function partOf({ count, indices, positions, uvs, uvMatrix, targets, isRelative, head }: PartData): SkinPart {
+/** All meshes of a character that blendshapes or joints move. */
+export type CharacterData = readonly CharacterMesh[]
+
+export function skinOf({ parts, names, expressions, placement, joints }: MeshData): Skin {
+  return joinParts(parts.map(partOf), names, placement, expressions, joints)
+}
+
+function partOf({
+  count,
+  indices,
+  positions,
+  uvs,
+  uvMatrix,
+  targets,
+  isRelative,
+  ...part
+}: PartData): SkinPart {
   return {
     count,
     indices: indices ?? Uint32Array.from({ length: count }, (_, i) => i),
@@ -71,7 +90,8 @@ function partOf({ count, indices, positions, uvs, uvMatrix, targets, isRelative,
       read(uvs, 2, vertices, out)
       if (uvMatrix) transformUvs(out, uvMatrix)
     },
-    readHeadWeights: head && ((vertices, out) => readHeadWeights(head, vertices, out)),
+    readHeadWeights: part.head && ((vertices, out) => readHeadWeights(part, vertices, out)),
+    influences: influencesOf(part.influences),
     readOffsets(k, vertices, out) {
       if (!targets[k]) return
       read(targets[k], 3, vertices, out)
@@ -83,18 +103,58 @@ function partOf({ count, indices, positions, uvs, uvMatrix, targets, isRelative,
   }
 }
 
-function readHeadWeights(head: HeadData | 'whole', vertices: Uint32Array, out: Float32Array): void {
+function readHeadWeights(
+  { head, influences: [first] }: Pick<PartData, 'head' | 'influences'>,
+  vertices: Uint32Array,
+  out: Float32Array,
+): void {
   if (head === 'whole') {
     out.fill(1)
     return
   }
-  const { joints, weights, isHead } = head
-  const [own, shares] = [joints, weights].map((data) => {
-    const values = new Float32Array(4 * vertices.length)
-    read(data, 4, vertices, values)
-    return values
-  })
-  for (let i = 0; i < own.length; i++) if (isHead[own[i]]) out[i >> 2] += shares[i]
+  if (!head || !first) return
+  const [own, shares] = readSet(first, vertices)
+  for (let i = 0; i < own.length; i++) if (head[own[i]]) out[i >> 2] += shares[i]
+}
+
+function influencesOf(sets: readonly InfluenceSet[]): PartInfluences | undefined {
+  if (sets.length === 0) return undefined
+  const count = 4 * sets.length
+  return {
+    count,
+    read(vertices, joints, weights) {
+      for (const [k, set] of sets.entries()) {
+        const [own, shares] = readSet(set, vertices)
+        for (let i = 0; i < own.length; i++) {
+          const at = count * (i >> 2) + 4 * k + (i & 3)
+          joints[at] = own[i]
+          weights[at] = shares[i]
+        }
+      }
+      if (sets.length > 1) restoreFirstSet(weights, count)
+    },
+  }
+}
+
+/**
+ * Scales the weights of the first set so that all weights of a vertex have the sum 1. When three.js loads a file, it scales the first set to the
+ * sum 1 and ignores the other sets.
+ */
+function restoreFirstSet(weights: Float32Array, count: number): void {
+  for (let start = 0; start < weights.length; start += count) {
+    const sum = (from: number, to: number) =>
+      weights.subarray(start + from, start + to).reduce((total, weight) => total + weight, 0)
+    const first = sum(0, 4)
+    const scale = first > 0 ? Math.max(0, 1 - sum(4, count)) / first : 0
+    for (let k = 0; k < 4; k++) weights[start + k] *= scale
+  }
+}
+
+function readSet({ joints, weights }: InfluenceSet, vertices: Uint32Array): [Float32Array, Float32Array] {
+  const [own, shares] = [new Float32Array(4 * vertices.length), new Float32Array(4 * vertices.length)]
+  read(joints, 4, vertices, own)
+  read(weights, 4, vertices, shares)
+  return [own, shares]
 }
 
 function read(data: VectorData, size: number, vertices: Uint32Array, out: Float32Array): void {

@@ -1,6 +1,6 @@
 /**
- * Caches generated wrinkles in the browser's Cache Storage. A result is compressed and stored under a hash of its input. The cache contains
- * at most 32 results, all of the same version of the code.
+ * Caches generated wrinkles in the browser's Cache Storage. The results of a character are compressed and stored under a hash of the input.
+ * The cache contains at most 32 characters, all of the same version of the code.
  *
  * Cache Storage is simpler to use than IndexedDB, because it needs no schema and no transactions. Cache Storage can be
  * unavailable: for example, over HTTP, in private windows, or if the disk is full. Then nothing is cached, and no error is reported.
@@ -19,31 +19,24 @@ export async function keyOf(data: unknown): Promise<string | undefined> {
   return Array.from(new Uint8Array(hash), (byte) => byte.toString(16).padStart(2, '0')).join('')
 }
 
-/** Returns the cached data of a key, or undefined if there is none or it cannot be read. */
-export async function recall<T>(version: string, key: string | undefined): Promise<T | undefined> {
+/** Returns the cached results of a key in their order, or undefined if there are none or they cannot be read. */
+export async function recall(version: string, key: string | undefined): Promise<unknown[] | undefined> {
   if (key === undefined) return undefined
   try {
     const found = await (await caches.open(PREFIX + version)).match(addressOf(key))
-    return found && (unpack(await expand(found)) as T)
+    return found && unpackAll(await expand(found))
   } catch {
     return undefined
   }
 }
 
 /**
- * Caches data under a key.
+ * Caches results under a key.
  *
- * @param copied is called when the data has been copied. Afterwards, the caller may change or transfer the data.
+ * @param packed results that `pack` has copied.
  */
-export async function keep(
-  version: string,
-  key: string | undefined,
-  data: unknown,
-  copied: () => void,
-): Promise<void> {
-  const blob = key !== undefined && pack(data)
-  copied()
-  if (!blob) return
+export async function keep(version: string, key: string | undefined, packed: readonly Blob[]): Promise<void> {
+  if (key === undefined) return
   try {
     for (const name of await caches.keys()) {
       if (name.startsWith(PREFIX) && name !== PREFIX + version) await caches.delete(name)
@@ -51,7 +44,8 @@ export async function keep(
     const cache = await caches.open(PREFIX + version)
     const oldest = (await cache.keys()).slice(0, 1 - MAX_ENTRIES)
     for (const request of oldest) await cache.delete(request)
-    await cache.put(addressOf(key), compress(blob))
+    const sizes = new Float64Array([packed.length, ...packed.map(({ size }) => size)])
+    await cache.put(addressOf(key), compress(new Blob([sizes, ...packed])))
   } catch {
     // Caching is optional. If it fails, the next visit generates the data again.
   }
@@ -74,9 +68,9 @@ const ARRAYS = { Uint8Array, Uint16Array, Uint32Array, Float32Array, Float64Arra
 
 /**
  * Packs JSON data that may contain typed arrays into bytes. The bytes consist of the length of a JSON text, the JSON text, and the typed
- * arrays. Each part is padded to a multiple of 8 bytes. In the JSON text, `{ array: TYPE, length }` stands for a typed array.
+ * arrays. Each part is padded to a multiple of 8 bytes. The bytes are a copy, so the caller may transfer the arrays. In the JSON text, `{ array: TYPE, length }` stands for a typed array.
  */
-function pack(data: unknown): Blob {
+export function pack(data: unknown): Blob {
   const parts: BlobPart[] = []
   const json = JSON.stringify(data, (_, value) => {
     if (!ArrayBuffer.isView(value)) return value
@@ -88,15 +82,26 @@ function pack(data: unknown): Blob {
   return new Blob([new Float64Array([text.length]), text, new Uint8Array(-text.length & 7), ...parts])
 }
 
-function unpack(buffer: ArrayBuffer): unknown {
-  const [length] = new Float64Array(buffer, 0, 1)
-  let at = 8 + length + (-length & 7)
-  return JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, 8, length)), (_, value) => {
+function unpack(buffer: ArrayBuffer, start: number): unknown {
+  const [length] = new Float64Array(buffer, start, 1)
+  const text = new Uint8Array(buffer, start + 8, length)
+  let at = start + 8 + length + (-length & 7)
+  return JSON.parse(new TextDecoder().decode(text), (_, value) => {
     const Type = ARRAYS[value?.array as keyof typeof ARRAYS]
     if (!Type) return value
     // Each array gets a separate buffer, so that it can be transferred to another thread.
     const array = new Type(buffer.slice(at, at + value.length * Type.BYTES_PER_ELEMENT))
     at += array.byteLength + (-array.byteLength & 7)
     return array
+  })
+}
+
+function unpackAll(buffer: ArrayBuffer): unknown[] {
+  const [count] = new Float64Array(buffer, 0, 1)
+  let at = 8 * (1 + count)
+  return Array.from(new Float64Array(buffer, 8, count), (size) => {
+    const data = unpack(buffer, at)
+    at += size
+    return data
   })
 }

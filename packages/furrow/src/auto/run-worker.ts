@@ -1,4 +1,5 @@
 import { FurrowError } from '../core/error.ts'
+import type { MeshWrinkles } from './make-wrinkles.ts'
 import type { AutoJob, AutoReply, AutoRequest, AutoResults } from './messages.ts'
 import { type AutoRunOptions, checkRunOptions } from './run-options.ts'
 
@@ -7,6 +8,7 @@ import { type AutoRunOptions, checkRunOptions } from './run-options.ts'
  *
  * @param transfer buffers to transfer to the worker instead of copying them.
  * @param who name of the caller in errors.
+ * @param received receives the wrinkles of one mesh of a character after another.
  * @returns a promise of the result. Rejects with the errors of the job, or with the signal's reason if aborted. Rejects with a FurrowError
  *   if an option is invalid, if there are no web workers, or if the worker cannot start or ends early.
  */
@@ -15,6 +17,7 @@ export async function runWorker<Job extends AutoJob>(
   { progress, signal, ...options }: AutoRunOptions,
   transfer: ArrayBuffer[],
   who: string,
+  received: (part: MeshWrinkles) => void = () => {},
 ): Promise<AutoResults[Job['type']]> {
   checkRunOptions(options, who)
   signal?.throwIfAborted()
@@ -44,6 +47,7 @@ export async function runWorker<Job extends AutoJob>(
         isRunning = true
         if (data.lock) whenFree(data.lock, ended.signal, () => fail(died(who)))
       } else if (data.type === 'progress') progress?.(data.done, data.total, data.step)
+      else if (data.type === 'part') received(data.part)
       else if (data.type === 'made') resolve(data.result as AutoResults[Job['type']])
       else if (data.type === 'finished') end()
       else fail(data.parts ? new FurrowError(data.parts) : died(who, data.message))

@@ -4,7 +4,7 @@ import { type AutoProgress, autoWrinkles } from '../author/auto/auto.ts'
 import { recogniseShapes } from '../author/shapes/recognise.ts'
 import { FurrowError } from '../core/error.ts'
 import { buffersOf } from './buffers.ts'
-import { makeCharacterWrinkles } from './make-wrinkles.ts'
+import { type MeshWrinkles, makeCharacterWrinkles } from './make-wrinkles.ts'
 import type { AutoReply, AutoRequest, AutoResults } from './messages.ts'
 
 addEventListener('message', ({ data }: MessageEvent<AutoRequest>) => {
@@ -37,7 +37,13 @@ async function work(request: AutoRequest): Promise<void> {
   const progress: AutoProgress = (done, total, step) => reply({ type: 'progress', done, total, step })
   if (request.type === 'shapes') replyResult(recogniseShapes(request.skin).shapes)
   else if (request.type === 'skin') replyResult(autoWrinkles(request.skin, options, progress))
-  else await makeCharacterWrinkles(request.character, options, request.version, progress, replyResult)
+  else {
+    const part = (part: MeshWrinkles) => reply({ type: 'part', part })
+    const { character, version } = request
+    const { notes, kept } = await makeCharacterWrinkles(character, options, version, progress, part)
+    replyResult(notes)
+    await kept
+  }
 }
 
 function replyResult(result: AutoResults[keyof AutoResults]): void {
@@ -45,5 +51,7 @@ function replyResult(result: AutoResults[keyof AutoResults]): void {
 }
 
 function reply(message: AutoReply): void {
-  postMessage(message, { transfer: message.type === 'made' ? buffersOf(message) : [] })
+  postMessage(message, {
+    transfer: message.type === 'made' || message.type === 'part' ? buffersOf(message) : [],
+  })
 }

@@ -1,4 +1,4 @@
-import { type AutoRunOptions, checkRunOptions } from '../auto/run-options.ts'
+import { type AutoCharacterOptions, checkCharacterOptions } from '../auto/run-options.ts'
 import { isObject, wrongArgument } from '../core/argument.ts'
 import { DEFAULT_AREA_SIZE, MAX_IMAGE_SIDE, MIN_AREA_SIZE } from '../core/limits.ts'
 import { checkOptionNames } from '../core/nearest-name.ts'
@@ -43,10 +43,10 @@ export interface WrinklesOptions {
 /** Options of `WrinkleLoaderPlugin`. */
 export interface WrinkleLoaderOptions extends WrinklesOptions {
   /**
-   * For files without wrinkles, generates wrinkles from their blendshapes, in a worker after loading. Off by default. See
+   * For files without wrinkles, generates wrinkles from their blendshapes and joints, in a worker after loading. Off by default. See
    * docs/auto-in-the-page.md.
    */
-  auto?: AutoRunOptions
+  auto?: AutoCharacterOptions
 }
 
 /** Defaults of `WrinklesOptions`. */
@@ -90,5 +90,5 @@ export function checkLoaderOptions(options: WrinkleLoaderOptions, who: string): 
   checkOptionNames(options, [...Object.keys(WRINKLES_DEFAULTS), 'auto'], who)
   const { auto, ...others } = options
   checkOptions({ ...WRINKLES_DEFAULTS, ...others }, who)
-  if (auto !== undefined) checkRunOptions(auto, `${who} auto`)
+  if (auto !== undefined) checkCharacterOptions(auto, `${who} auto`)
 }

@@ -104,10 +104,11 @@ const BY_REGION = {
  * Checks the options of `autoWrinkles`.
  *
  * @param who name of the caller in errors.
+ * @param others names of options that the caller checks.
  * @throws FurrowError for the first option that is unknown or out of range.
  */
-export function checkAutoOptions(options: AutoOptions, who: string): void {
-  checkOptionNames(options, [...Object.keys(AUTO_DEFAULTS), 'seed', 'cloth'], who)
+export function checkAutoOptions(options: AutoOptions, who: string, others: readonly string[] = []): void {
+  checkOptionNames(options, [...Object.keys(AUTO_DEFAULTS), 'seed', 'cloth', ...others], who)
   for (const [name, range] of Object.entries(RANGES)) {
     const value = options[name as keyof typeof RANGES]
     if (value !== undefined) checkNumber(value, name, range, who)

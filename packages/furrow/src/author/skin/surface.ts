@@ -169,6 +169,16 @@ export function crossOf(
   return length(out)
 }
 
+/** Returns the area of all triangles, in the square of the unit of the positions. */
+export function surfaceArea(positions: ArrayLike<number>, indices: ArrayLike<number>): number {
+  const normal = new Float64Array(3)
+  let sum = 0
+  for (let t = 0; t + 2 < indices.length; t += 3) {
+    sum += crossOf(positions, indices[t], indices[t + 1], indices[t + 2], normal) / 2
+  }
+  return sum
+}
+
 function weldPoints(positions: ArrayLike<number>) {
   const { pointOf, count } = weldVertices(positions)
   const points = new Float64Array(3 * count)

@@ -14,15 +14,15 @@ export class Warnings {
   /** @param consequence result that the user sees, such as "the face has no wrinkles". */
   add(thrown: unknown, consequence: string): void {
     const { message } = fileError(thrown, this.#who, 'the wrinkles cannot be added')
-    this.#warn(`${message} (${consequence})`)
+    this.addText(`${message} (${consequence})`)
   }
 
   /** Logs one warning for all malformed drivers of a material. */
   addDrivers(errors: readonly FurrowError[]): void {
-    this.#warn(describeDriverErrors(errors))
+    this.addText(describeDriverErrors(errors))
   }
 
-  #warn(text: string): void {
+  addText(text: string): void {
     if (this.#texts.has(text)) return
     this.#texts.add(text)
     console.warn(text)

@@ -1,9 +1,11 @@
 import type { Mesh } from 'three'
 import type { GLTF, GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
-import type { CharacterWrinkles } from '../../auto/make-wrinkles.ts'
-import type { AutoRunOptions } from '../../auto/run-options.ts'
+import type { CharacterMesh } from '../../auto/character.ts'
+import type { MeshWrinkles } from '../../auto/make-wrinkles.ts'
+import { LOADER, nothingToWrinkle } from '../../auto/no-wrinkles.ts'
+import type { AutoCharacterOptions } from '../../auto/run-options.ts'
 import { runWorker } from '../../auto/run-worker.ts'
-import { FurrowError } from '../../core/error.ts'
+import { skinJoints } from '../../auto/skeleton-json.ts'
 import type { ArraySlice, WrinkleSet } from '../../core/types.ts'
 import type { FileWrinkles } from '../../runtime/file/read-wrinkles.ts'
 import type { Warnings } from '../../runtime/file/warnings.ts'
@@ -11,8 +13,15 @@ import { Appearance } from '../appearance.ts'
 import { surfaceOf } from '../material/surface.ts'
 import { mapTexture } from '../material/textures.ts'
 import { meshOf, type WrinklesBase } from '../wrinkles-base.ts'
+import { animatedRotations, type BoundSkin, readBoundSkin, surfaceInFile } from './file-surface.ts'
 import { expressionsOfMesh, nameTargets } from './file-targets.ts'
-import { addFlatNormalMap, readMeshes, supportsAutoWrinkles } from './read-character.ts'
+import {
+  addFlatNormalMap,
+  readMeshes,
+  supportsAutoWrinkles,
+  supportsJointWrinkles,
+} from './read-character.ts'
+import { separateOthers } from './read-wrinkle-maps.ts'
 
 type Meshes = [Mesh, ...Mesh[]]
 
@@ -21,90 +30,141 @@ export type AddFace = (meshes: Meshes, made: FileWrinkles) => Promise<WrinklesBa
 /** Duration of the fade-in, milliseconds. */
 const FADE_IN = 300
 
-interface GeneratedWrinkles extends FileWrinkles {
-  /** Faces that get the wrinkles. They have the same geometry and material. */
-  faces: Meshes[]
-}
-
 /** Result of the generation for the previous file. Files are processed one at a time, because each occupies a CPU core and hundreds of megabytes. */
 let previous: Promise<unknown> = Promise.resolve()
 
 /**
- * Starts generating wrinkles in a worker from the blendshapes of a file. Reads the current pose before it returns.
+ * Starts generating wrinkles in a worker from the blendshapes and joints of a file. Reads the current pose before it returns.
  *
- * @param file loaded file. The wrinkles are added to `userData.wrinkles`. `userData.wrinklesReady` is set to a promise that resolves
- *   afterwards.
- * @param faces meshes of each face.
+ * @param file loaded file. The wrinkles of each mesh are added to `userData.wrinkles` when they are ready. `userData.wrinklesReady` is set to a
+ *   promise that resolves after the last mesh.
+ * @param faces meshes of each face, see `facesOf`.
  */
 export function beginAuto(
   file: GLTF,
   faces: readonly Meshes[],
-  options: AutoRunOptions,
+  options: AutoCharacterOptions,
   addFace: AddFace,
   warnings: Warnings,
 ): void {
-  file.userData.wrinklesReady = addAutoWrinkles(file, faces, options, addFace).catch((error) =>
-    warnings.add(error, 'the file is shown without wrinkles'),
+  file.userData.wrinklesReady = addAutoWrinkles(file, faces, options, addFace, warnings).catch((error) =>
+    warnings.add(error, consequenceFor(file)),
   )
 }
 
-/** @throws FurrowError if no mesh has blendshapes and UVs, or the worker fails. */
+function consequenceFor({ userData }: GLTF, what = 'some meshes are'): string {
+  return `${userData.wrinkles.length > 0 ? what : 'the file is'} shown without wrinkles`
+}
+
+/**
+ * Generates wrinkles in a worker for the surfaces of a file. A surface is a geometry and a material, which several faces may use. Adds the
+ * wrinkles of each surface when they are ready, unless generation was aborted, or the geometry or material of the surface was disposed of.
+ *
+ * @throws FurrowError if no mesh has UVs and blendshapes or joints, or the worker fails.
+ */
 async function addAutoWrinkles(
   file: GLTF,
   faces: readonly Meshes[],
-  options: AutoRunOptions,
+  { kinds = {}, ...options }: AutoCharacterOptions,
+  addFace: AddFace,
+  warnings: Warnings,
+): Promise<void> {
+  const { parser } = file
+  const isUsable = (meshes: Meshes) =>
+    meshes.every(supportsAutoWrinkles) || meshes.every(supportsJointWrinkles)
+  const skins = groupBySkin(faces.filter(isUsable))
+  if (skins.length === 0) throw nothingToWrinkle()
+  nameTargets(parser, faces.flat())
+  // The pose is read before the first `await`, because during an `await` the page may move the scene and its bones.
+  for (const [first] of skins) addFlatNormalMap(first!)
+  const read = skins.map(([first]) => readSurface(parser, first!))
+  const inUse = new SkinsInUse(skins, options.signal)
+  const { signal } = inUse
+  const failures: { error: unknown; name: string }[] = []
+  const add = async (part: MeshWrinkles) => {
+    const skin = skins[part.mesh]!
+    if (!inUse.has(skin)) return
+    try {
+      separateMeshes(skin, faces)
+      await addToFaces(file, skin, setOf(part), addFace)
+    } catch (error) {
+      failures.push({ error, name: read[part.mesh].mesh.meshName })
+    }
+  }
+  let adding: Promise<void> = Promise.resolve()
+  const received = (part: MeshWrinkles) => {
+    adding = adding.then(() => add(part))
+  }
+  const run = async () => {
+    if (signal.aborted) return []
+    const meshes = await withJoints(parser, read)
+    const character = { meshes, kinds }
+    return runWorker({ type: 'character', character }, { ...options, signal }, [], LOADER, received)
+  }
+  try {
+    const made = previous.then(run, run)
+    previous = made
+    const notes = await made
+    for (const note of notes) warnings.addText(`${LOADER}: ${note}`)
+  } catch (error) {
+    if (!signal.aborted) throw error
+  } finally {
+    await adding
+    inUse.end()
+    for (const { error, name } of failures)
+      warnings.add(error, consequenceFor(file, `mesh ${JSON.stringify(name)} is`))
+  }
+}
+
+/** Replaces the material of a skin on other meshes, which may use it with other texture coordinates. */
+function separateMeshes(skin: readonly Meshes[], faces: readonly Meshes[]): void {
+  const surface = surfaceOf(skin[0][0])
+  const others = faces.filter((face) => !skin.includes(face)).flat()
+  separateOthers(
+    others.filter((mesh) => surfaceOf(mesh) === surface),
+    surface,
+  )
+}
+
+async function addToFaces(
+  file: GLTF,
+  faces: readonly Meshes[],
+  made: FileWrinkles,
   addFace: AddFace,
 ): Promise<void> {
-  const made = await makeAutoWrinkles(file.parser, faces, options)
-  for (const meshes of made?.faces ?? []) {
-    const wrinkles = await addFace(meshes, made!)
+  for (const meshes of faces) {
+    const wrinkles = await addFace(meshes, made)
     meshOf(wrinkles).appear(new Appearance(FADE_IN, wrinkles.clock))
     file.userData.wrinkles.push(wrinkles)
   }
 }
 
-/**
- * Generates wrinkles in a worker for the most suitable skin of a file. A skin is a geometry and a material, which several faces may use.
- *
- * @param faces meshes of each face.
- * @returns undefined if generation was aborted, or if the geometry or material of the skin was disposed of.
- * @throws FurrowError if no mesh has blendshapes and UVs, or the worker fails.
- */
-async function makeAutoWrinkles(
-  parser: GLTFParser,
-  faces: readonly Meshes[],
-  options: AutoRunOptions,
-): Promise<GeneratedWrinkles | undefined> {
-  const skins = groupBySkin(faces.filter((meshes) => meshes.every(supportsAutoWrinkles)))
-  if (skins.length === 0) throw missingBlendshapes()
-  nameTargets(parser, faces.flat())
-  // The pose is read before the first `await`, because during an `await` the page may move the scene and its bones.
-  for (const [first] of skins) addFlatNormalMap(first!)
-  const character = skins.map(([first]) => readMeshes(first!, expressionsOfMesh(parser, first![0])))
-  const inUse = new SkinsInUse(skins, options.signal)
-  const run = async () => {
-    const { signal } = inUse
-    return signal.aborted
-      ? undefined
-      : runWorker({ type: 'character', character }, { ...options, signal }, [], WHO)
-  }
-  try {
-    const made = previous.then(run, run)
-    previous = made
-    const result = await made
-    if (!result || !inUse.has(skins[result.mesh]!)) return undefined
-    const { set, drivers } = setOf(result)
-    return { set, drivers, faces: skins[result.mesh]! }
-  } catch (error) {
-    if (inUse.signal.aborted) return undefined
-    throw error
-  } finally {
-    inUse.end()
+interface ReadSurface {
+  mesh: CharacterMesh
+  bound: BoundSkin | undefined
+}
+
+function readSurface(parser: GLTFParser, meshes: Meshes): ReadSurface {
+  const [first] = meshes
+  const data = readMeshes(meshes, expressionsOfMesh(parser, first))
+  return {
+    mesh: { ...data, ...surfaceInFile(parser, first) },
+    bound: meshes.every(supportsJointWrinkles) ? readBoundSkin(parser, first) : undefined,
   }
 }
 
+/** Adds joints, with the rotations that animations of the file give them. */
+async function withJoints(parser: GLTFParser, read: readonly ReadSurface[]): Promise<CharacterMesh[]> {
+  const hasJoints = read.some(({ bound }) => bound)
+  const rotations = hasJoints ? await animatedRotations(parser) : new Map<number, number[][]>()
+  return read.map(({ mesh, bound }) => ({
+    ...mesh,
+    joints: bound && skinJoints(parser.json, bound.skin, bound.binds, rotations),
+  }))
+}
+
 /** Creates textures from the maps that the worker has packed. */
-function setOf(made: CharacterWrinkles): FileWrinkles {
+function setOf(made: MeshWrinkles): FileWrinkles {
   const { layers, normals, values, hasOnset, bloodAmplitude, heights, areas, drivers } = made
   const normalArray = mapTexture(normals, 1)
   const valueArray = mapTexture(values, 1)
@@ -123,8 +183,6 @@ function setOf(made: CharacterWrinkles): FileWrinkles {
   }
   return { set, drivers }
 }
-
-const WHO = 'WrinkleLoaderPlugin'
 
 /** Groups faces with the same geometry and material, because several nodes of a file may use one mesh. */
 function groupBySkin(faces: readonly Meshes[]): Meshes[][] {
@@ -169,12 +227,4 @@ class SkinsInUse {
   end(): void {
     for (const unwatch of this.#unwatch) unwatch()
   }
-}
-
-function missingBlendshapes(): FurrowError {
-  return new FurrowError({
-    who: WHO,
-    problem: 'no wrinkles can be made: no mesh has blendshapes and texture coordinates',
-    remedy: 'export the face with its blendshapes, or load the file without the option auto',
-  })
 }

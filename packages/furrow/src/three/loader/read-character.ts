@@ -7,15 +7,25 @@ import {
   type SkinnedMesh,
   type Texture,
 } from 'three'
-import type { MeshData, PartData, VectorData } from '../../auto/character.ts'
+import type { InfluenceSet, MeshData, PartData, VectorData } from '../../auto/character.ts'
 import { isOfHead } from '../camera/head-region.ts'
 import { readsNormalMap, surfaceOf } from '../material/surface.ts'
 import { flatNormalTexture } from '../material/textures.ts'
 import { targetNames } from '../sources/morph.ts'
 
-/** Whether a mesh has the positions, UVs and blendshapes that automatic wrinkles need. */
-export function supportsAutoWrinkles({ geometry: { attributes, morphAttributes } }: Mesh): boolean {
-  return Boolean(attributes.position && attributes.uv && morphAttributes.position?.length)
+/** Whether a mesh has the positions, UVs and blendshapes that automatic wrinkles of faces need. */
+export function supportsAutoWrinkles({ geometry }: Mesh): boolean {
+  return hasSurface(geometry) && Boolean(geometry.morphAttributes.position?.length)
+}
+
+/** Whether a mesh has the positions, UVs and joints that automatic wrinkles at joints need, and a material that can show them. */
+export function supportsJointWrinkles(mesh: Mesh): boolean {
+  const { geometry, skeleton } = mesh as SkinnedMesh
+  return hasSurface(geometry) && Boolean(skeleton) && readsNormalMap(surfaceOf(mesh))
+}
+
+function hasSurface({ attributes }: BufferGeometry): boolean {
+  return Boolean(attributes.position && attributes.uv)
 }
 
 /**
@@ -37,7 +47,7 @@ export function addFlatNormalMap(meshes: readonly [Mesh, ...Mesh[]]): void {
 
 /**
  * Describes the meshes of a face as data for the worker that generates wrinkles. The matrix `placement` of the result converts positions of
- * all meshes to world space. The arrays of the geometries are not copied.
+ * all meshes to world space. The arrays of the geometries are not copied. The result has no joints, see `bindMatrices`.
  *
  * @param expressions names of VRM expressions that move exactly one blendshape, by blendshape index.
  */
@@ -71,15 +81,37 @@ function partOf(
     uvMatrix: map?.matrix.toArray(),
     targets: (morphAttributes.position ?? []).map(vectors),
     isRelative: morphTargetsRelative,
+    influences: influencesOf(attributes),
   }
 }
 
-function headOf({ skeleton, geometry, parent }: SkinnedMesh): PartData['head'] {
+function headOf({ skeleton, parent }: SkinnedMesh): PartData['head'] {
   if (!skeleton) return parent && isOfHead(parent) ? 'whole' : undefined
-  const { skinIndex, skinWeight } = geometry.attributes
   const isHead = skeleton.bones.map(isOfHead)
-  if (!isHead.includes(true) || !skinIndex || !skinWeight) return undefined
-  return { joints: vectors(skinIndex), weights: vectors(skinWeight), isHead }
+  return isHead.includes(true) ? isHead : undefined
+}
+
+/** Names of the first joints and weights of each vertex, and of the second ones, which `GLTFLoader` reads but does not use. */
+const INFLUENCES = [
+  ['skinIndex', 'skinWeight'],
+  ['joints_1', 'weights_1'],
+] as const
+
+function influencesOf(attributes: BufferGeometry['attributes']): InfluenceSet[] {
+  const sets: InfluenceSet[] = []
+  for (const [joints, weights] of INFLUENCES) {
+    if (!attributes[joints] || !attributes[weights]) break
+    sets.push({ joints: vectors(attributes[joints]), weights: vectors(attributes[weights]) })
+  }
+  return sets
+}
+
+/** Returns the matrix from each joint of a skeleton to world space, in the rest pose. */
+export function bindMatrices(mesh: SkinnedMesh): number[][] {
+  const placement = placementOf(mesh)
+  return mesh.skeleton.boneInverses.map((inverse) =>
+    new Matrix4().copy(inverse).invert().premultiply(placement).toArray(),
+  )
 }
 
 function vectors(attribute: BufferAttribute | InterleavedBufferAttribute): VectorData {

@@ -1,6 +1,6 @@
 import type { Material, Mesh } from 'three'
 import type { GLTF, GLTFParser } from 'three/addons/loaders/GLTFLoader.js'
-import type { AutoRunOptions } from '../../auto/run-options.ts'
+import type { AutoCharacterOptions } from '../../auto/run-options.ts'
 import { isObject } from '../../core/argument.ts'
 import { FurrowError } from '../../core/error.ts'
 import { WRINKLE_MAPS } from '../../core/maps/declared.ts'
@@ -53,7 +53,7 @@ export interface LoaderParts {
  * `clone()` or `SkeletonUtils.clone()`, and meshes that the page creates with the material of a face (as in JSX), also get wrinkles. They have
  * separate activations and share textures. Drivers can read VRM expressions if three-vrm's plugin is registered too.
  *
- * With the option `auto`, wrinkles are generated after loading for files without wrinkles. Await `wrinklesReady(gltf)` to use them.
+ * With the option `auto`, wrinkles are generated after loading for files without wrinkles, one mesh after another. Await `wrinklesReady(gltf)` to use them.
  *
  * A file never fails to load because of its wrinkles. If the wrinkles are invalid or unsupported, the face has none, and one warning is logged.
  */
@@ -62,7 +62,7 @@ export class WrinkleLoader {
   readonly #parser: GLTFParser
   readonly #parts: LoaderParts
   readonly #options: Required<WrinklesOptions>
-  readonly #auto: AutoRunOptions | undefined
+  readonly #auto: AutoCharacterOptions | undefined
   readonly #warnings = new Warnings('WrinkleLoaderPlugin')
   readonly #declared: DeclaredWrinkles
   /** First face with each wrinkle set. Later faces with the same set share the textures of the first face. */
@@ -76,7 +76,8 @@ export class WrinkleLoader {
     if (!isObject(parser?.json)) throw invalidParser(parser)
     checkLoaderOptions(options, 'WrinkleLoaderPlugin')
     const { auto, ...others } = options
-    this.#auto = auto
+    const { areaSize } = others
+    this.#auto = auto && { ...(areaSize !== undefined && { areaSize }), ...auto }
     this.#options = { ...WRINKLES_DEFAULTS, ...others }
     this.#parser = parser
     this.#parts = parts
@@ -103,10 +104,9 @@ export class WrinkleLoader {
     const addFace: AddFace = (meshes, read) => this.#addFace(meshes, read, gltf)
     const wrinkled = wrinkledMaterials(gltf, this.#parser)
     if (this.#auto && wrinkled.length === 0) {
-      const options = { areaSize: this.#options.areaSize, ...this.#auto }
       try {
         const { beginAuto } = await import('./auto-wrinkles.ts')
-        beginAuto(gltf, facesOf(gltf, this.#parser), options, addFace, this.#warnings)
+        beginAuto(gltf, facesOf(gltf, this.#parser), this.#auto, addFace, this.#warnings)
       } catch (error) {
         this.#warnings.add(error, 'the file is shown without wrinkles')
       }

@@ -2,7 +2,7 @@ import { FurrowError } from '../../../core/error.ts'
 import { boundingBoxSize } from '../../../math/bounds.ts'
 import { uvArea } from '../../../math/triangle.ts'
 import { labelOf } from '../../shapes/families.ts'
-import { crossOf, type Skin, type SkinTarget } from '../../skin/surface.ts'
+import { type Skin, type SkinTarget, surfaceArea } from '../../skin/surface.ts'
 
 /** Maximum displacement of a vertex, as a multiple of the skin's extent. Targets with larger displacements are broken and dropped. */
 const MAX_OFFSET = 2
@@ -90,15 +90,6 @@ function largestOffset(offsets: ArrayLike<number>): number {
   let largest = 0
   for (let i = 0; i < offsets.length; i++) largest = Math.max(largest, Math.abs(offsets[i]))
   return largest
-}
-
-function surfaceArea(positions: ArrayLike<number>, indices: ArrayLike<number>): number {
-  const normal = new Float64Array(3)
-  let sum = 0
-  for (let t = 0; t + 2 < indices.length; t += 3) {
-    sum += crossOf(positions, indices[t], indices[t + 1], indices[t + 2], normal) / 2
-  }
-  return sum
 }
 
 /** Returns the position of each corner of each triangle. */

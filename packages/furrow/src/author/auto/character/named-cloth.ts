@@ -1,4 +1,5 @@
-import type { ClothKind } from 'furrow/author'
+import type { ClothKind } from '../cloth/cloth-kinds.ts'
+import type { SurfaceNames } from './judge-kind.ts'
 
 /** Words in the names of materials and meshes. Other cloth folds like a shirt. */
 const WORDS: readonly (readonly [ClothKind, RegExp])[] = [
@@ -8,7 +9,7 @@ const WORDS: readonly (readonly [ClothKind, RegExp])[] = [
 ]
 
 /** Tells the kind of cloth by the name of its material, then by the name of its mesh. */
-export function clothOf({ meshName, materialName }: { meshName: string; materialName: string }): ClothKind {
+export function clothOf({ meshName, materialName }: SurfaceNames): ClothKind {
   for (const name of [materialName, meshName]) {
     const found = WORDS.find(([, words]) => words.test(name))
     if (found) return found[0]

@@ -1,5 +1,5 @@
+import { isFoldedAs } from 'furrow/internal'
 import { expect, test } from 'vitest'
-import { isFoldedAs } from '../../../packages/files/src/mesh/find-surfaces.ts'
 
 test.each([
   ['skin', 'left hand', false, true],

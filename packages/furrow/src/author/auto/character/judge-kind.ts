@@ -1,8 +1,4 @@
-import type { GltfJson } from '../json/gltf-json.ts'
-
-/** How a surface folds. */
-export const SURFACE_KINDS = ['skin', 'cloth', 'hard'] as const
-export type SurfaceKind = (typeof SURFACE_KINDS)[number]
+import type { SurfaceKind } from './surface-kinds.ts'
 
 /** Kind of a surface, and why. */
 export interface JudgedKind {
@@ -10,6 +6,20 @@ export interface JudgedKind {
   kind: SurfaceKind | undefined
   /** Clause for a message. */
   reason: string
+}
+
+/** Properties of a material in the JSON of a glTF file that tell its kind. */
+export interface MaterialJson {
+  pbrMetallicRoughness?: object | undefined
+  extensions?: object | undefined
+}
+
+/** Names of a surface in its file. */
+export interface SurfaceNames {
+  /** Name of the mesh, or its index if it has none. */
+  meshName: string
+  /** Name of the material, or its index if it has none. */
+  materialName: string
 }
 
 /** Words in the names of materials and meshes, tried in this order. */
@@ -32,15 +42,16 @@ const METALLIC = 0.5
  * Judges whether a surface is skin, cloth or hard: by the name of its material, then by the name of its mesh, then by the properties of its
  * material.
  *
- * @param named kinds that the user stated, by name of a mesh or material.
+ * @param material JSON of the material. Malformed properties are ignored.
+ * @param stated kinds that the user stated, by name of a mesh or material.
  */
 export function judgeKind(
-  { materials = [] }: GltfJson,
-  { meshName, materialName, material }: { meshName: string; materialName: string; material: number },
-  named: ReadonlyMap<string, SurfaceKind> = new Map(),
+  material: MaterialJson | undefined,
+  { meshName, materialName }: SurfaceNames,
+  stated: ReadonlyMap<string, SurfaceKind> = new Map(),
 ): JudgedKind {
-  const stated = named.get(meshName) ?? named.get(materialName)
-  if (stated) return { kind: stated, reason: '--kind' }
+  const own = stated.get(meshName) ?? stated.get(materialName)
+  if (own) return { kind: own, reason: 'the user stated it' }
   for (const [subject, name] of [
     ['material', materialName],
     ['mesh', meshName],
@@ -51,7 +62,7 @@ export function judgeKind(
     })[0]
     if (found) return { kind: found.kind, reason: `the name of the ${subject} contains "${found.word}"` }
   }
-  const { pbrMetallicRoughness: pbr, extensions = {} } = materials[material] ?? {}
+  const { pbrMetallicRoughness: pbr, extensions = {} } = material ?? {}
   if ('KHR_materials_transmission' in extensions)
     return { kind: 'hard', reason: 'the material transmits light' }
   const { metallicFactor, metallicRoughnessTexture } = (pbr ?? {}) as Record<string, unknown>
