@@ -22,9 +22,9 @@ const STEEPEST_BANK = 0.18
 /** Minimum and maximum by region, millimetres, estimated from the sources in docs/auto-lines.md. */
 const BOUNDS = {
   foreheadInnerLeft: { expressed: [0.4, 1.6], rest70: [0.25, 0.6], width: [2, 3], spacing: [7, 15] },
-  crowsFeetLeft: { expressed: [0.5, 0.9], rest70: [0.3, 0.6], width: [1, 1.6], spacing: [5, 12] },
+  crowsFeetLeft: { expressed: [0.4, 0.9], rest70: [0.3, 0.6], width: [1, 1.6], spacing: [5, 12] },
   glabellaLeft: { expressed: [1.2, 2.1], rest70: [0.4, 0.9], width: [1.7, 2.5], spacing: [4, 8] },
-  nasolabialLeft: { expressed: [0.9, 2], rest70: [0.6, 1.2], width: [2.5, 3.5], spacing: [5, 10] },
+  nasolabialLeft: { expressed: [0.9, 2], rest70: [0.6, 1.2], width: [2.5, 4], spacing: [5, 10] },
 } as const satisfies Record<ScannedRegion, object>
 
 describe.each(FACES)('%s, its heights measured', (_, path) => {

@@ -81,7 +81,7 @@ export function crowsFeet(
     style: {
       width: byAge(1.45, 1.7),
       depth: 1,
-      taper: [0.2, 0.6],
+      taper: [0.2, 0.5],
       shoulder: [1, 1],
       softness: byAge(0.8, 0.7),
     },

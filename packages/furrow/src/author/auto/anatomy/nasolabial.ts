@@ -63,7 +63,7 @@ export function nasolabial(context: FaceContext, side: Side, name: string): Face
         width: byAge(4, 5),
         depth: 1,
         depths: DEPTHS,
-        taper: [0.14, 0.5],
+        taper: [0.1, 0.5],
         // The cheek hangs over the fold, so the bank on the cheek's side is higher.
         shoulder: side > 0 ? [1, 0.15] : [0.15, 1],
         lean: side * 0.35,
@@ -73,7 +73,7 @@ export function nasolabial(context: FaceContext, side: Side, name: string): Face
     spacing: 12,
     creasedFraction: byAge(0.4, 0.8),
     maxDepth: byAge(0.9, 1.8),
-    atRest: 0.62,
+    atRest: 0.59,
     assumedCompression: COMPRESSION,
     reach: 6,
     feather: 6,
