@@ -2,6 +2,18 @@ import type { RendererKind } from '../stage/stage.ts'
 
 export const RENDERER_KINDS: readonly RendererKind[] = ['webgl', 'webgpu']
 
+/** Returns the renderers that a user chose by `names`, or all that are available. Throws if a name is not `allowed`. */
+export function checkRenderers(
+  names: readonly string[] | undefined,
+  allowed: readonly RendererKind[] = RENDERER_KINDS,
+): RendererKind[] {
+  const unknown = names?.find((name) => !allowed.some((kind) => kind === name))
+  if (unknown === undefined) return [...((names as RendererKind[] | undefined) ?? allowed)]
+  throw new Error(
+    `bench: renderer not available here, got "${unknown}", allowed: ${allowed.join(', ')}; name one of these`,
+  )
+}
+
 /** A scene that the benchmark measures. Each variant renders it with a different technique for wrinkles, and `plain` without wrinkles. */
 export interface Case {
   areas: number

@@ -41,5 +41,6 @@ const pageFunctions = (call) => ({
   open: call('open'),
   measure: call('measure'),
   measureCrowd: call('measureCrowd'),
+  measureWalkers: call('measureWalkers'),
   measureUpdates: call('measureUpdates'),
 })

@@ -29,15 +29,14 @@ await runServed(server, run)
 if (options.node) process.exit()
 
 async function run() {
-  const { listCases, PLANS, RENDERER_KINDS } = await server.ssrLoadModule('/bench/case.ts')
+  const { checkRenderers, listCases, PLANS } = await server.ssrLoadModule('/bench/case.ts')
   const { toLine } = await server.ssrLoadModule('/bench/line.ts')
   const { toResults, toTable } = await server.ssrLoadModule('/bench/report.ts')
   const { CROWD_KINDS, CROWD_PICTURE } = await server.ssrLoadModule('/bench/page/crowd.ts')
   const { median, spread } = await server.ssrLoadModule('/bench/statistics.ts')
   const { kilobytes } = await server.ssrLoadModule('/packages/files/src/index.ts')
   const { withBar } = await server.ssrLoadModule('/packages/cli/src/progress.ts')
-  const allowed = options.node ? ['webgpu'] : RENDERER_KINDS
-  const renderers = checkRenderers(options.renderer ?? allowed, allowed)
+  const renderers = checkRenderers(options.renderer, options.node ? ['webgpu'] : undefined)
   const { width, height } = parseSize(options.size)
   const cases = listCases(options.quick)
   const { rounds } = options.quick ? PLANS.quick : PLANS.full
@@ -99,12 +98,4 @@ async function run() {
   }
   const line = toLine(results, { browser: host.name, date: new Date() })
   process.stdout.write(`\nto share these results, paste this line into an issue:\n\n${line}\n`)
-}
-
-function checkRenderers(names, allowed) {
-  const unknown = names.find((name) => !allowed.includes(name))
-  if (unknown === undefined) return names
-  throw new Error(
-    `bench: renderer not available here, got "${unknown}", allowed: ${allowed.join(', ')}; name one of these`,
-  )
 }

@@ -11,8 +11,7 @@ import { join } from 'node:path'
 import { drawPictures } from './figures/draw.mjs'
 import { isExamplePicture, writeExamplePictures } from './figures/examples.mjs'
 import { FACE, FACES, SCAN } from './figures/faces.mjs'
-import { FIGURES, FORMATS } from './figures/list.mjs'
-import { MOVING, movingFrames } from './figures/moving.mjs'
+import { FIGURES, FORMATS, MOVING } from './figures/list.mjs'
 import { writeMoving, writeSheet } from './figures/write.mjs'
 import { ensureBrowser } from './lib/browser.mjs'
 import { shootPages } from './lib/pages.mjs'
@@ -38,7 +37,7 @@ await main(async () => {
     }))
     const folder = name.startsWith('portraits/') ? 'faces' : 'docs/figures'
     const file = `${folder}/${name}.${FORMATS[name] ?? 'png'}`
-    if (name === MOVING) await writeMoving(shown, movingFrames(), join(ROOT, file))
+    if (MOVING[name]) await writeMoving(shown, MOVING[name](), join(ROOT, file))
     else await writeSheet(shown, join(ROOT, file))
     say(file)
   }

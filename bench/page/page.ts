@@ -8,6 +8,7 @@ import { measure } from './measure.ts'
 import { createScene } from './scene.ts'
 import { createTimedRenderer, type TimedRenderer } from './timed-renderer.ts'
 import { measureUpdates, type UpdateTimes } from './updates.ts'
+import { measureWalkers } from './walkers.ts'
 
 /** Functions that the benchmark's page defines as the global `bench`, so that the process that opens the page can call them. */
 export interface BenchPage {
@@ -27,6 +28,8 @@ export interface BenchPage {
   measure(benchCase: Case, plan: Plan): Promise<Measured[]>
   /** Measures the fraction of a crowd's frame time that is spent on influence maps, 0..1. Returns one number per round. */
   measureCrowd(kind: CrowdKind, plan: Plan): Promise<number[]>
+  /** Measures the frame time of walking characters with folds, divided by that without. Returns one number per round. */
+  measureWalkers(url: string, count: number, plan: Plan): Promise<number[]>
   /** Measures how long a frame waits for a change of a layer's normal map. */
   measureUpdates(plan: Plan): Promise<UpdateTimes>
 }
@@ -42,6 +45,7 @@ const page: BenchPage = {
   },
   measure: (benchCase, plan) => measure(bench, benchCase, plan),
   measureCrowd: (kind, plan) => measureCrowd(bench, kind, plan),
+  measureWalkers: (url, count, plan) => measureWalkers(bench, url, count, plan),
   measureUpdates: (plan) => measureUpdates(bench, plan),
 }
 Object.assign(globalThis, { bench: page })

@@ -6,7 +6,8 @@
 import { both, CLOSE_UPS } from './close-ups.mjs'
 import { AGES, SKINS } from './faces.mjs'
 import { FURROWS } from './furrows.mjs'
-import { MOVING, movingPictures } from './moving.mjs'
+import { movingFrames, movingPictures } from './moving.mjs'
+import { movingBodyFrames, movingBodyPictures } from './moving-body.mjs'
 
 const PORTRAIT = { width: 900, height: 1050, crop: { left: 180, top: 50, width: 540, height: 720 } }
 const STUDIO_PORTRAIT = {
@@ -188,8 +189,12 @@ export const FIGURES = {
   transform: [FOREHEAD, { ...FOREHEAD, face: 'lossless' }, { ...FOREHEAD, face: 'lossy' }],
   ...CLOSE_UPS,
   'skin/furrows': FURROWS,
-  [MOVING]: movingPictures(),
+  expressions: movingPictures(),
+  'body-moving': movingBodyPictures(),
 }
+
+/** Animations: a function that returns the frames, by the name of the figure. */
+export const MOVING = { expressions: movingFrames, 'body-moving': movingBodyFrames }
 
 /** File format per figure. Default: PNG. Figures with many faces are smaller as JPEG. */
 export const FORMATS = {
@@ -208,5 +213,5 @@ export const FORMATS = {
       ...Object.keys(CLOSE_UPS),
     ].map((name) => [name, 'jpg']),
   ),
-  [MOVING]: 'webp',
+  ...Object.fromEntries(Object.keys(MOVING).map((name) => [name, 'webp'])),
 }

@@ -1,8 +1,5 @@
 import { both } from './close-ups.mjs'
 
-/** Name of the animation at the top of the README. */
-export const MOVING = 'expressions'
-
 const FRAME = {
   width: 720,
   height: 840,

@@ -4,9 +4,10 @@ import { ROOT } from './run.mjs'
 const SETTLE_TIME = 3000
 
 /**
- * Takes pictures of the canvases of example pages.
+ * Takes pictures of the canvases of example pages. Consecutive pictures of one page share it.
  *
- * @param {{ page: string, width: number, height: number }[]} pages file names with queries, and window sizes in pixels.
+ * @param {{ page: string, width: number, height: number, sliders?: Record<string, number> }[]} pages file names with queries, window
+ *   sizes in pixels, and values of sliders by their labels.
  * @returns {Promise<{ width: number, height: number, pixels: Uint8Array }[]>} pictures as RGBA bytes.
  */
 export async function shootPages(pages) {
@@ -19,19 +20,23 @@ export async function shootPages(pages) {
   const browser = await launchBrowser()
   const pictures = []
   try {
-    for (const { page: name, width, height } of pages) {
-      const page = await newPage(browser, { viewport: { width, height } })
-      await page.goto(new URL(`/examples/${name}`, server.resolvedUrls.local[0]).href)
-      const canvas = await page.waitForSelector('canvas')
+    let page
+    for (const [i, { page: name, width, height, sliders = {} }] of pages.entries()) {
+      if (pages[i - 1]?.page !== name) {
+        await page?.close()
+        page = await newPage(browser, { viewport: { width, height } })
+        await page.goto(new URL(`/examples/${name}`, server.resolvedUrls.local[0]).href)
+        await page.waitForSelector('canvas')
+        await nextFrame(page)
+        await page.waitForTimeout(SETTLE_TIME)
+      }
+      for (const [label, value] of Object.entries(sliders)) await page.getByLabel(label).fill(`${value}`)
       await nextFrame(page)
-      await page.waitForTimeout(SETTLE_TIME)
-      await nextFrame(page)
-      const picture = sharp(await canvas.screenshot())
+      const picture = sharp(await page.locator('canvas').screenshot())
         .ensureAlpha()
         .raw()
       const { data, info } = await picture.toBuffer({ resolveWithObject: true })
       pictures.push({ width: info.width, height: info.height, pixels: data })
-      await page.close()
     }
   } finally {
     await browser.close()

@@ -16,6 +16,7 @@ const GUIDES = [
   group('Make wrinkles', [
     doc('From blendshapes', 'auto'),
     doc('Hands, necks and clothes', 'body'),
+    doc('Folds from joints, body by body', 'body-sheets'),
     doc('In the page', 'auto-in-the-page'),
     doc('Characters and rigs', 'auto-formats'),
     doc('Recognised blendshapes', 'shapes'),

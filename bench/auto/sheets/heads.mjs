@@ -1,13 +1,9 @@
-import { execFile } from 'node:child_process'
-import { createHash } from 'node:crypto'
-import { existsSync, mkdirSync, readdirSync, readFileSync, rmSync } from 'node:fs'
-import { availableParallelism } from 'node:os'
+import { existsSync, mkdirSync } from 'node:fs'
 import { join } from 'node:path'
-import { promisify } from 'node:util'
 import { BEFORE, SCAN } from '../../../scripts/figures/faces.mjs'
-import { importSource } from '../../../scripts/lib/import-source.mjs'
 import { must, ROOT, say } from '../../../scripts/lib/run.mjs'
 import { setUpSampleHeads } from '../sample-heads.mjs'
+import { wrinkleFiles } from './wrinkle-files.mjs'
 
 /** Seeds of random heads. */
 const SAMPLES = { realistic: [41, 42, 43, 44, 45], stylised: [41, 42, 43] }
@@ -40,38 +36,21 @@ export async function sheetHeads(folder) {
 }
 
 /**
- * Generates wrinkles for heads. Skips files that the same generator has written.
+ * Generates wrinkles for heads with each version.
  *
  * @param folder folder of the results.
  * @returns a function that returns the path of a head with wrinkles.
  */
 export async function wrinkledHeads(heads, ages, folder) {
-  const { runConcurrently } = await importSource('packages/cli/src/batch/run-concurrently.ts')
-  mkdirSync(folder, { recursive: true })
-  const stamps = Object.fromEntries(Object.entries(VERSIONS).map(([name, root]) => [name, stampOf(root)]))
-  const pathOf = (version, { name }, age) => join(folder, `${name}-${version}-${age}-${stamps[version]}.glb`)
-  const wanted = Object.keys(VERSIONS).flatMap((version) =>
-    heads.flatMap((head) => ages.map((age) => ({ version, head, age, file: pathOf(version, head, age) }))),
+  const nameOf = (version, { name }, age) => `${name}-${version}-${age}`
+  const jobs = Object.entries(VERSIONS).flatMap(([version, root]) =>
+    heads.flatMap((head) =>
+      ages.map((age) => {
+        const options = ['--age', `${age}`, '--replace']
+        return { name: nameOf(version, head, age), input: head.file, root, options }
+      }),
+    ),
   )
-  const missing = wanted.filter(({ file }) => !existsSync(file))
-  await runConcurrently(missing, availableParallelism(), async ({ version, head, age, file }, i) => {
-    const isOld = (name) => name.startsWith(`${head.name}-${version}-${age}-`)
-    for (const name of readdirSync(folder).filter(isOld)) rmSync(join(folder, name))
-    const command = join(VERSIONS[version], 'packages/cli/dist/main.js')
-    const options = ['-o', file, '--age', `${age}`, '--replace']
-    await promisify(execFile)(process.execPath, [command, 'auto', head.file, ...options])
-    say(`wrinkles ${i + 1}/${missing.length}: ${head.name}, ${version}, ${age} years`)
-  })
-  return pathOf
-}
-
-/** Returns a hash of the built generator of a checkout. */
-function stampOf(root) {
-  const hash = createHash('sha256')
-  for (const part of ['furrow', 'files']) {
-    const built = join(root, 'packages/cli/dist', part)
-    const names = readdirSync(built, { recursive: true }).filter((name) => name.endsWith('.js'))
-    for (const name of names.sort()) hash.update(readFileSync(join(built, name)))
-  }
-  return hash.digest('hex').slice(0, 8)
+  const paths = await wrinkleFiles(jobs, folder)
+  return (version, head, age) => paths.get(nameOf(version, head, age))
 }

@@ -4,53 +4,53 @@
 
 import { join, resolve } from 'node:path'
 import { parseArgs } from 'node:util'
-import { drawPictures } from '../../../scripts/figures/draw.mjs'
-import { writeSheet } from '../../../scripts/figures/write.mjs'
 import { ensureBrowser } from '../../../scripts/lib/browser.mjs'
+import { chosenNames } from '../../../scripts/lib/chosen-names.mjs'
 import { importSource } from '../../../scripts/lib/import-source.mjs'
-import { Failure, main, say } from '../../../scripts/lib/run.mjs'
+import { main } from '../../../scripts/lib/run.mjs'
 import { setUp } from '../../../scripts/lib/set-up.mjs'
 import { CACHE } from '../sample-heads.mjs'
+import { describeSheets, drawSheets } from './draw-sheets.mjs'
 import { sheetHeads, VERSIONS, wrinkledHeads } from './heads.mjs'
 import { picturesOf, REGIONS, TILE } from './regions.mjs'
 
-/** Pictures are shown complete. */
-const CROP = { left: 0, top: 0, width: TILE, height: TILE }
+/** Rows of heads in an image for readers. More would be scaled down by most viewers. */
+const ROWS = 4
 
 await main(async () => {
   const { values, positionals } = parseArgs({
     allowPositionals: true,
     options: { out: { type: 'string', default: join(CACHE, 'sheets') } },
   })
-  const unknown = positionals.find((name) => !(name in REGIONS))
-  const allowed = Object.keys(REGIONS)
-  if (unknown !== undefined)
-    throw new Failure(`unknown region, got "${unknown}", allowed: ${allowed.join(', ')}; name one of these`)
-  const regions = positionals.length > 0 ? positionals : allowed
+  const regions = chosenNames('region', positionals, Object.keys(REGIONS))
   const out = resolve(values.out)
   await setUp()
   process.env.FURROW_CHROMIUM = await ensureBrowser()
   const heads = await sheetHeads(join(out, 'heads'))
+  describe(out, heads)
   const shots = await planShots(heads, regions)
   const pathOf = await wrinkledHeads(heads, [...new Set(shots.map(({ age }) => age))], join(out, 'glb'))
   for (const version of Object.keys(VERSIONS)) {
-    const requests = shots.map(({ head, age, picture }) => ({
-      ...picture,
-      input: pathOf(version, head, age),
-    }))
-    const pictures = await drawPictures(requests)
-    for (const region of regions) {
-      const file = join(out, `${region}-${version}.jpg`)
-      await writeSheet(
-        pictures.flatMap((picture, i) =>
-          shots[i].region === region ? { ...picture, ...shots[i].place } : [],
-        ),
-        file,
-      )
-      say(file)
-    }
+    await drawSheets(
+      out,
+      shots.map(({ head, age, picture, ...shot }) => ({
+        ...shot,
+        version,
+        picture: { ...picture, input: pathOf(version, head, age) },
+      })),
+    )
   }
 })
+
+function describe(out, heads) {
+  const parts = Object.keys(REGIONS).flatMap((region) =>
+    Array.from({ length: Math.ceil(heads.length / ROWS) }, (_, i) => {
+      const firstRow = i * ROWS
+      return { region, sheet: region, firstRow, rows: Math.min(ROWS, heads.length - firstRow) }
+    }),
+  )
+  describeSheets(out, { tile: TILE, versions: { before: 'before', after: 'after' }, parts })
+}
 
 /** Returns the pictures of all sheets, in the order of the sheets. */
 async function planShots(heads, regions) {
@@ -60,9 +60,9 @@ async function planShots(heads, regions) {
     heads.flatMap((head, i) =>
       picturesOf(REGIONS[region], frames[i]).map((shot, k) => ({
         ...shot,
-        region,
+        sheet: region,
         head,
-        place: { crop: CROP, beginsRow: k === 0 },
+        beginsRow: k === 0,
       })),
     ),
   )

@@ -1,31 +1,30 @@
-// `npm run auto-sheets:scores -- blind.key.json reader1.csv reader2.csv`: prints the scores of readers by region and version as a
-// Markdown table.
+// `npm run sheets:scores -- blind.key.json reader1.csv reader2.csv`: prints the scores of readers by region and version as a Markdown table.
 
 import { readFileSync } from 'node:fs'
 import { parseArgs } from 'node:util'
 import { importSource } from '../../../scripts/lib/import-source.mjs'
 import { Failure, main } from '../../../scripts/lib/run.mjs'
-import { REGIONS } from './regions.mjs'
 
 await main(async () => {
   const { positionals } = parseArgs({ allowPositionals: true })
   const [keyFile, ...files] = positionals
-  if (files.length === 0)
-    throw new Failure('usage: npm run auto-sheets:scores -- blind.key.json READER.csv...')
+  if (files.length === 0) throw new Failure('usage: npm run sheets:scores -- blind.key.json READER.csv...')
   const { median } = await importSource('packages/furrow/src/math/quantile.ts')
-  const { sheets } = JSON.parse(readFileSync(keyFile, 'utf8'))
+  const { versions, regions, sheets } = JSON.parse(readFileSync(keyFile, 'utf8'))
   const readers = files.map((file) => scoresOf(file, Object.keys(sheets)))
-  console.info('| region | first | median | current | median |')
-  console.info('| --- | --- | --- | --- | --- |')
-  const isScored = (region) => Object.values(sheets).some((sheet) => sheet.region === region)
-  for (const region of Object.keys(REGIONS).filter(isScored)) {
-    const cells = ['before', 'after'].flatMap((version) => {
+  const columns = Object.values(versions).flatMap((title) => [title, 'median'])
+  console.info(`| region | ${columns.join(' | ')} |`)
+  console.info(`| --- |${' --- |'.repeat(columns.length)}`)
+  for (const region of regions) {
+    const cells = Object.keys(versions).flatMap((version) => {
       const names = Object.keys(sheets).filter(
         (name) => sheets[name].region === region && sheets[name].version === version,
       )
       names.sort((a, b) => sheets[a].firstRow - sheets[b].firstRow)
       const scores = readers.map((scores) => names.map((name) => scores[name]))
-      return [scores.map((each) => each.join(', ')).join('; '), median(scores.flat())]
+      return names.length > 0
+        ? [scores.map((each) => each.join(', ')).join('; '), median(scores.flat())]
+        : ['', '']
     })
     console.info(`| \`${region}\` | ${cells.join(' | ')} |`)
   }

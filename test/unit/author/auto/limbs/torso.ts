@@ -1,5 +1,6 @@
 import type { Skin } from 'furrow/author'
 import { RIGS, type SkeletonOptions, skeletonOf } from './rigs.ts'
+import { skinOf, tube } from './tube.ts'
 
 const [AROUND, ALONG] = [48, 40]
 const [LOW, HIGH] = [0.98, 1.36]
@@ -9,37 +10,29 @@ const [LOW, HIGH] = [0.98, 1.36]
  * person's left, the front and the right, and v from the hem upwards.
  */
 export function torso(options: SkeletonOptions = {}): Skin {
-  const skeleton = skeletonOf(RIGS.Mixamo!, options)
+  const { joints } = skeletonOf(RIGS.Mixamo!, options)
   const { scale = 1 } = options
-  const [hips, spine, chest] = [0, 1, 2]
-  const [positions, uvs, indices, weights, influences]: number[][] = [[], [], [], [], []]
-  for (let i = 0; i <= ALONG; i++) {
-    for (let k = 0; k <= AROUND; k++) {
-      const [s, t] = [i / ALONG, k / AROUND]
-      const y = LOW + s * (HIGH - LOW)
-      const angle = 2 * Math.PI * (t === 1 ? 0 : t)
-      positions.push(0.165 * scale * Math.sin(angle), scale * y, -0.115 * scale * Math.cos(angle))
-      uvs.push(0.02 + 0.96 * t, 0.02 + 0.96 * s)
-      // Each joint takes over around its position.
-      const [low, high] = [1.1, 1.25].map((at) => Math.min(1, Math.max(0, (y - at) / 0.1 + 0.5))) as [
-        number,
-        number,
-      ]
-      weights.push(1 - low, low - high, high)
-      influences.push(hips, spine, chest)
+  const shirt = tube(AROUND, ALONG, (s, t) => {
+    const y = LOW + s * (HIGH - LOW)
+    const angle = 2 * Math.PI * t
+    return {
+      position: [0.165 * scale * Math.sin(angle), scale * y, -0.115 * scale * Math.cos(angle)],
+      uv: [0.02 + 0.96 * t, 0.02 + 0.96 * s],
+      shares: trunkShares(y),
     }
-  }
-  const row = AROUND + 1
-  for (let i = 0; i < ALONG; i++)
-    for (let k = 0; k < AROUND; k++) {
-      const a = i * row + k
-      indices.push(a, a + row, a + 1, a + 1, a + row, a + row + 1)
-    }
-  return {
-    positions,
-    uvs,
-    indices,
-    targets: [],
-    skeleton: { ...skeleton, influences: 3, indices: influences, weights },
-  }
+  })
+  return skinOf([shirt], joints)
+}
+
+/** Returns how much hips, spine and chest move a trunk at a height in metres. Each joint takes over around its position. */
+export function trunkShares(y: number): [joint: number, weight: number][] {
+  const [low, high] = [1.1, 1.25].map((at) => Math.min(1, Math.max(0, (y - at) / 0.1 + 0.5))) as [
+    number,
+    number,
+  ]
+  return [
+    [0, 1 - low],
+    [1, low - high],
+    [2, high],
+  ]
 }

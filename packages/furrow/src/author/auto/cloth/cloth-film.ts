@@ -238,11 +238,12 @@ function correctLength(
       shares[i] = wanted[i] * exp(SHARE.deviation * vary - SHARE.deviation ** 2 / 2)
     }
   }
-  const [got, want] = [local(taken), local(shares)]
+  const [got, want, whole] = [local(taken), local(shares), local(wanted)]
+  // The onset depends on the whole loss. Otherwise small shares would leave smooth patches among the folds.
   const gain = got.map(
     (value, i) =>
       Math.min(MAX_GAIN, Math.sqrt(Math.max(0, want[i]) / Math.max(value, 1e-5))) *
-      smoothstep((want[i] - ONSET[0]) / (ONSET[1] - ONSET[0])),
+      smoothstep((whole[i] - ONSET[0]) / (ONSET[1] - ONSET[0])),
   )
   const smoothGain = fieldSmoother(grid, 0.5 * LOCAL * lambda)(gain)
   for (let i = 0; i < heights.length; i++) heights[i] *= Math.max(0, smoothGain[i])

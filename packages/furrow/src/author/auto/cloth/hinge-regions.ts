@@ -1,6 +1,14 @@
 import { Rng } from '../../../math/rng.ts'
 import { clamp, fadeOut, smoothstep } from '../../../math/scalar.ts'
-import { FLEXION, type Hinged, hingeOf, OWN, placesAround, STRAINED } from '../limbs/hinge.ts'
+import {
+  FLEXION,
+  type Hinged,
+  type HingePlaces,
+  hingeOf,
+  OWN,
+  placesAround,
+  STRAINED,
+} from '../limbs/hinge.ts'
 import type { LimbSkin } from '../limbs/limb-skin.ts'
 import type { RegionPlan } from '../limbs/region-plan.ts'
 import { DEGREE } from '../limbs/turn.ts'
@@ -30,6 +38,8 @@ const LEAN = 0.34
 const CRITICAL = 0.06
 /** Share of a limb's own joints from which on cloth begins to belong to the limb. */
 const FROM = 0.35
+/** Maximum angle around the limb without cloth, in radians. A skirt covers only the outer side of each leg. */
+const MAX_GAP = 130 * DEGREE
 
 /** Returns the regions of cloth at elbows and knees. */
 export function hingeRegions(
@@ -53,7 +63,7 @@ function regionOf(
   const { kind, hinge, axis, lengths } = hinged
   const { joints } = limb.skeleton
   const around = placesAround(limb, hinged)
-  if (!around) return undefined
+  if (!around || !isTube(around, hinged)) return undefined
   const { on, places, radius } = around
   const { looseness, wavelength } = CLOTHS[cloth]
   const turn = { joints: [hinge], from: joints[hinge].parent, axis, full: FLEXION[kind] * DEGREE }
@@ -102,4 +112,15 @@ function regionOf(
     pair: kind,
     rank: 6,
   }
+}
+
+/** Returns whether the cloth at a hinge surrounds the limb. A skirt hangs around both legs, so the flexion of one knee does not compress it. */
+function isTube({ on, places, radius }: HingePlaces, { lengths }: Hinged): boolean {
+  const reach = Math.min(radius, ...lengths)
+  const angles = places
+    .filter(({ along }, point) => on[point] > OWN && Math.abs(along) < reach)
+    .map(({ angle }) => angle)
+    .sort((a, b) => a - b)
+  const gaps = angles.map((angle, i) => (angles[i + 1] ?? angles[0] + 2 * Math.PI) - angle)
+  return Math.max(...gaps) < MAX_GAP
 }
