@@ -10,11 +10,21 @@ export { BULGES_FROM } from '../src/author/auto/bulges/bulge-driver.ts'
 export type { BulgeArea } from '../src/author/auto/bulges/draw-bulges.ts'
 export type { MissingRegion } from '../src/author/auto/fit/fit-driver.ts'
 export type { AutoFurrows, FurrowArea } from '../src/author/auto/furrows/draw-net.ts'
+export {
+  type AreaPlace,
+  type AreaView,
+  BENT,
+  isFolding,
+  type JointRotation,
+  placeOfArea,
+  poseOfDriver,
+  viewOfPlace,
+} from '../src/author/auto/joints/area-pose.ts'
 export { type AreaLineSettings, layAreaLines } from '../src/author/auto/lines/area-lines.ts'
 export { regionStrength } from '../src/author/auto/lines/region-strengths.ts'
 export { halfSide, heightLevels } from '../src/author/auto/raster/half-side.ts'
 export { findBody } from '../src/author/auto/skeleton/body.ts'
-export { limbsOf } from '../src/author/auto/skeleton/limbs-of.ts'
+export { type LimbJoints, limbsOf } from '../src/author/auto/skeleton/limbs-of.ts'
 export { type StrainMap, strainMaps } from '../src/author/auto/strain-map.ts'
 export { MAX_SKIN_TRIANGLES } from '../src/author/auto/surface/check-skin.ts'
 export {
