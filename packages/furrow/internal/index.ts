@@ -24,6 +24,7 @@ export { type AreaLineSettings, layAreaLines } from '../src/author/auto/lines/ar
 export { regionStrength } from '../src/author/auto/lines/region-strengths.ts'
 export { halfSide, heightLevels } from '../src/author/auto/raster/half-side.ts'
 export { findBody } from '../src/author/auto/skeleton/body.ts'
+export { boneNameOf } from '../src/author/auto/skeleton/bone-names.ts'
 export { type LimbJoints, limbsOf } from '../src/author/auto/skeleton/limbs-of.ts'
 export { type StrainMap, strainMaps } from '../src/author/auto/strain-map.ts'
 export { MAX_SKIN_TRIANGLES } from '../src/author/auto/surface/check-skin.ts'

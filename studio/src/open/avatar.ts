@@ -1,6 +1,6 @@
 import type { VRM } from '@pixiv/three-vrm'
 import { type Expression, FurrowError } from 'furrow'
-import type { AnimationClip, Object3D, SkinnedMesh } from 'three'
+import type { AnimationClip, Object3D, Quaternion, SkinnedMesh } from 'three'
 import type { Face } from '../../../stage/face.ts'
 import type { StudioDocument } from '../document/document.ts'
 import type { DroppedFile } from '../files/dropped-files.ts'
@@ -30,6 +30,8 @@ export interface OpenedAvatar {
   /** Index of the chosen skin in `skins`. */
   readonly skin: number
   readonly animations: readonly AnimationClip[]
+  /** Rotations of all objects at rest, relative to their parents. */
+  readonly rest: ReadonlyMap<Object3D, Quaternion>
   readonly vrm: VRM | null
   /** Expressions of a VRM, as blendshape weights. */
   readonly expressions: readonly Expression[]
@@ -97,6 +99,7 @@ export async function openAvatar(
     files: [face, ...new Set(file.references.values())] as const,
     root: gltf.scene,
     animations: gltf.animations,
+    rest: rotationsIn(gltf.scene),
     vrm,
     expressions,
   }
@@ -117,6 +120,12 @@ export async function openAvatar(
     ...(folder && { folder }),
     notes: [...chosen, ...notes, ...notesOn(skins[skin])],
   }
+}
+
+function rotationsIn(root: Object3D): ReadonlyMap<Object3D, Quaternion> {
+  const rotations = new Map<Object3D, Quaternion>()
+  root.traverse((object) => rotations.set(object, object.quaternion.clone()))
+  return rotations
 }
 
 export function faceOf({ root, skins, skin }: OpenedAvatar): Face {
