@@ -133,7 +133,7 @@ export interface AutoSettings {
   readonly regions?: readonly AutoRegion[]
   /** `StudioDocument.shapes` at the time when the automatic wrinkles were made. */
   readonly shapes?: readonly ShapeCorrection[]
-  /** What the surface is, as the user stated. Default: judged by names and material. */
+  /** Kind of the surface, as the user stated. Default: judged by names and material. */
   readonly kind?: SurfaceKind
   /** Kind of cloth, as the user stated, if the surface is cloth. Default: judged by names. */
   readonly cloth?: ClothKind

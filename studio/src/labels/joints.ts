@@ -6,8 +6,7 @@ export const POSES = {
   title: 'Poses',
   rest: 'Rest pose',
   skeleton: 'Skeleton',
-  skeletonHint:
-    'Drag the end of a bone to turn it. The arrow keys ← and → turn it, ↑ and ↓ choose another bone.',
+  skeletonHint: 'Drag the end of a bone, or turn it by ← and →.',
 } as const
 
 /** Everyday names of poses, by their names. Other poses bend the part of the body that they name. */
@@ -31,7 +30,7 @@ const POSE_NAMES: Readonly<Record<string, string>> = {
 
 /** Returns the everyday name of a pose of joints: `Bend left elbow` for `left elbow`. */
 export function poseLabel(name: string): string {
-  return POSE_NAMES[name] ?? `Bend ${displayName(name).toLowerCase()}`
+  return POSE_NAMES[name] ?? `Bend ${displayName(name.replace(/ bend (\d+)$/, ', $1')).toLowerCase()}`
 }
 
 /** Name of an area that joints fold, as `autoWrinkles` assigns it: a joint and a movement. */

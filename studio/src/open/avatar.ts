@@ -140,9 +140,9 @@ export function disposeAvatar({ root }: OpenedAvatar): void {
   root.traverse((object) => (object as Partial<SkinnedMesh>).skeleton?.dispose())
 }
 
-function notesOn({ name, problem, blendshapes }: SkinCandidate): string[] {
+function notesOn({ name, problem, blendshapes, rest }: SkinCandidate): string[] {
   if (problem) return [`${name} cannot wrinkle: ${problem}`]
-  if (blendshapes > 0) return []
+  if (blendshapes > 0 || rest.joints) return []
   return [`${name} has no blendshapes: it can be painted, but no expression moves it`]
 }
 
