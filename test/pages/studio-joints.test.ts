@@ -6,7 +6,7 @@ import { driversOf } from 'furrow'
 import { decodeGlb, parseWrinkledFile } from 'furrow-files'
 import type { Page } from 'playwright-core'
 import { beforeAll, expect, test } from 'vitest'
-import { skinnedFile } from '../skinned-file.ts'
+import { skinFile } from '../skin-file.ts'
 import { RIGS, skeletonOf } from '../unit/author/auto/limbs/rigs.ts'
 import { sleeve } from '../unit/author/auto/limbs/sleeve.ts'
 import { torso } from '../unit/author/auto/limbs/torso.ts'
@@ -32,13 +32,13 @@ const MADE = 'Make automatic wrinkles'
 
 const studio = openStudio({ width: 1280, height: 800 }, async (folder) => {
   const write = (name: string, bytes: Uint8Array) => writeFileSync(join(folder, name), bytes)
-  write('arm.glb', await skinnedFile(sleeve(), { mesh: 'Arm', material: 'Shell' }))
+  write('arm.glb', await skinFile(sleeve(), { mesh: 'Arm', material: 'Shell' }))
   const body = { ...torso(), skeleton: { ...torso().skeleton!, joints: skeletonOf(RIGS.Mixamo!).joints } }
   for (const [name, isLying] of [
     ['standing.glb', false],
     ['lying.glb', true],
   ] as const)
-    write(name, await skinnedFile(body, { mesh: 'Body', material: 'Robot', isLying }))
+    write(name, await skinFile(body, { mesh: 'Body', material: 'Robot', isLying }))
 })
 let page: Page
 

@@ -6,13 +6,13 @@ import { skinSource } from '../../../../studio/src/open/skin-source.ts'
 import { findSkins } from '../../../../studio/src/open/skins.ts'
 import { autoSource } from '../../../../studio/src/open/surface.ts'
 import { clearUp, signsOfUp, turnUpright } from '../../../../studio/src/open/upright.ts'
-import { type SkinnedFileOptions, skinnedFile } from '../../../skinned-file.ts'
+import { type SkinFileOptions, skinFile } from '../../../skin-file.ts'
 import { RIGS, skeletonOf } from '../../author/auto/limbs/rigs.ts'
 import { sleeve } from '../../author/auto/limbs/sleeve.ts'
 import { torso } from '../../author/auto/limbs/torso.ts'
 import { loadInNode } from '../../three/node-loader.ts'
 
-const FILE: SkinnedFileOptions = {
+const FILE: SkinFileOptions = {
   mesh: 'Arm',
   material: 'Shirt',
   animation: { joint: 'LeftForeArm', angles: [0, 1, 2.5] },
@@ -24,7 +24,7 @@ async function opened(bytes: Uint8Array) {
 }
 
 it('the studio reads the same skeleton as `furrow auto`, with the rotations of animations', async () => {
-  const bytes = await skinnedFile(sleeve(), FILE)
+  const bytes = await skinFile(sleeve(), FILE)
   const document = await documentOf(decodeGlb(bytes, 'arm.glb', 'test'), 'arm.glb', 'test')
   const { skeleton } = findSurfaces(document, 'arm.glb', 'test', {}).surfaces[0]!.skin
   const { skin, surface, limbs } = await opened(bytes)
@@ -53,7 +53,7 @@ it.each([
   ['nothing that joints fold if its kind is unknown', 'Shell', {}, undefined],
   ['nothing that joints fold if it is hard', 'Robot', {}, undefined],
 ] as const)('a sleeve is %s', async (_, material, settings, options) => {
-  const source = await opened(await skinnedFile(sleeve(), { ...FILE, material }))
+  const source = await opened(await skinFile(sleeve(), { ...FILE, material }))
   expect(autoSource(source, settings)?.options).toEqual(options)
 })
 
@@ -63,7 +63,7 @@ it.each([
   ['Rigify', true],
 ])('a body of %s stands upright, also if it lies in the file: %s', async (rig, isLying) => {
   const skin = { ...torso(), skeleton: { ...torso().skeleton!, joints: skeletonOf(RIGS[rig]!).joints } }
-  const gltf = await loadInNode(await skinnedFile(skin, { mesh: 'Shell', material: 'Shell', isLying }))
+  const gltf = await loadInNode(await skinFile(skin, { mesh: 'Shell', material: 'Shell', isLying }))
   turnUpright(gltf)
   const isTurned = gltf.scene.quaternion.angleTo(gltf.scene.quaternion.clone().identity()) > 0.1
   expect(isTurned).toBe(isLying)

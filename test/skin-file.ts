@@ -2,7 +2,7 @@ import { type Accessor, Document, NodeIO } from '@gltf-transform/core'
 import type { Skin } from 'furrow/author'
 import { Matrix4, Quaternion, Vector3 } from 'three'
 
-export interface SkinnedFileOptions {
+export interface SkinFileOptions {
   mesh: string
   material: string
   /** Rotations about the x axis, radians, that an animation gives a joint. */
@@ -12,9 +12,9 @@ export interface SkinnedFileOptions {
 }
 
 /** Writes a skin with its skeleton as a `.glb` file. */
-export async function skinnedFile(
+export async function skinFile(
   { positions, uvs, indices, skeleton }: Skin,
-  { mesh: meshName, material: materialName, animation, isLying = false }: SkinnedFileOptions,
+  { mesh: meshName, material: materialName, animation, isLying = false }: SkinFileOptions,
 ): Promise<Uint8Array> {
   const document = new Document()
   const buffer = document.createBuffer()
