@@ -1,5 +1,6 @@
 import { effect, type ReadonlySignal, type Signal, signal } from '@preact/signals'
 import { Vector3 } from 'three'
+import { type ShortcutName, shortcutOf } from '../../shortcuts.ts'
 import type { Viewer } from '../viewer.ts'
 import { handlesOf, type JointHandle, turnTowards } from './joint-handles.ts'
 
@@ -107,12 +108,19 @@ export class SkeletonOverlay {
 
   #onKey(handle: JointHandle, index: number, event: KeyboardEvent): void {
     const step = event.shiftKey ? LARGE_STEP : STEP
-    const turns: Record<string, number> = { ArrowLeft: step, ArrowRight: -step }
-    const moves: Record<string, number> = { ArrowUp: index - 1, ArrowDown: index + 1 }
-    const next = this.#handles[moves[event.key] ?? -1]
-    if (event.key in turns) this.#turn(handle, turns[event.key])
-    else if (next) this.#focus(next.dot)
-    else if (!(event.key in moves)) return
+    const choose = (next: number) => {
+      const other = this.#handles[next]
+      if (other) this.#focus(other.dot)
+    }
+    const actions: Record<ShortcutName<'skeleton'>, () => void> = {
+      left: () => this.#turn(handle, step),
+      right: () => this.#turn(handle, -step),
+      up: () => choose(index - 1),
+      down: () => choose(index + 1),
+    }
+    const name = shortcutOf('skeleton', event)
+    if (!name) return
+    actions[name]()
     event.preventDefault()
     event.stopPropagation()
   }
