@@ -37,6 +37,7 @@ const GUIDES = [
   group('Drive them', [
     doc('Drivers', 'drivers'),
     doc('Drivers in the studio', 'studio-drivers'),
+    doc('Joints in the studio', 'studio-joints'),
     doc('Live faces in the studio', 'studio-motion'),
     doc('Layers, projects and files', 'studio-files'),
     doc('Expressions', 'expressions'),

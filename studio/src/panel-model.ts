@@ -22,6 +22,7 @@ import type { Painting } from './tools/painting.ts'
 import type { Sculpting } from './tools/sculpting.ts'
 import type { ToolChoice } from './tools/tool-choice.ts'
 import type { ShownFace } from './viewer/shown-face.ts'
+import type { SkeletonOverlay } from './viewer/skeleton/skeleton-overlay.ts'
 import type { ViewerHost } from './viewer/viewer-host.ts'
 
 /** Parts of the application that panels show and control. */
@@ -29,6 +30,7 @@ export interface PanelParts {
   workspace: Workspace
   saving: Saving
   face: ShownFace
+  skeleton: SkeletonOverlay
   lines: Lines
   areas: AreaEditor
   faceAreas: FaceAreas
@@ -52,11 +54,24 @@ export interface PanelParts {
 }
 
 export function panelModel(parts: PanelParts): PanelModel {
-  const { workspace, saving, face, lines, areas, faceAreas, images, layers, shapes, painting, fill, tools } =
-    parts
+  const {
+    workspace,
+    saving,
+    face,
+    skeleton,
+    lines,
+    areas,
+    faceAreas,
+    images,
+    layers,
+    shapes,
+    painting,
+    fill,
+    tools,
+  } = parts
   const { sculpting, opening, host, downloads, link, messages, faces, dialogs, hints, live, takes } = parts
   const { session, automatic, exporting, keeping, settings } = workspace
-  const { viewer, frame, revision, expression, hovered, staging, player, meshes, pictures } = face
+  const { viewer, frame, revision, expression, bodyPose, hovered, staging, player, meshes, pictures } = face
   return {
     session,
     lines: lines.editor,
@@ -69,6 +84,7 @@ export function panelModel(parts: PanelParts): PanelModel {
     sculpting,
     tools,
     auto: settings,
+    source: workspace.source,
     autoRun: automatic.run,
     isBeginning: workspace.isBeginning,
     exporting: exporting.state,
@@ -82,10 +98,12 @@ export function panelModel(parts: PanelParts): PanelModel {
     frame,
     revision,
     expression,
+    bodyPose,
     hovered,
     staging,
     meshes,
     pictures,
+    isSkeletonShown: skeleton.isOn,
     player,
     live,
     takes,
@@ -107,6 +125,7 @@ export function panelModel(parts: PanelParts): PanelModel {
           shown.look = look
         }),
       play: (name) => face.play(name),
+      playPose: (name) => face.playPose(name),
       startLive: () => void messages.attempt(() => live.start()),
       saveCalibration: () => downloads.saveCalibration(live),
       loadCalibration: (file) =>

@@ -81,6 +81,12 @@ export const SHORTCUTS = {
     down: ['ArrowDown', 'Shift+ArrowDown'],
     remove: ['Delete', 'Backspace'],
   },
+  skeleton: {
+    left: ['ArrowLeft', 'Shift+ArrowLeft'],
+    right: ['ArrowRight', 'Shift+ArrowRight'],
+    up: ['ArrowUp'],
+    down: ['ArrowDown'],
+  },
   divider: {
     left: ['ArrowLeft', 'ArrowDown'],
     right: ['ArrowRight', 'ArrowUp'],

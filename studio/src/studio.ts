@@ -10,6 +10,7 @@ import { Hints } from './first/hints.ts'
 import { type Place, Resume } from './first/resume.ts'
 import { Reveal } from './first/reveal.ts'
 import { keepFocus } from './keep-focus.ts'
+import { jointLabel, POSES } from './labels/joints.ts'
 import { FULL_TAKE } from './labels/live.ts'
 import { PROGRESS } from './labels/messages.ts'
 import { moreLabel, PAGE } from './labels/page.ts'
@@ -51,6 +52,8 @@ import { adapterName } from './viewer/adapter.ts'
 import { DocumentView, type DrawnDocument } from './viewer/document-view.ts'
 import { listFaces } from './viewer/faces.ts'
 import { ShownFace } from './viewer/shown-face.ts'
+import { shownPoses } from './viewer/shown-poses.ts'
+import { SkeletonOverlay } from './viewer/skeleton/skeleton-overlay.ts'
 import type { Viewer } from './viewer/viewer.ts'
 import { type LoadAvatar, ViewerHost } from './viewer/viewer-host.ts'
 
@@ -75,6 +78,7 @@ export class Studio {
   readonly #sculpting: Sculpting
   readonly #view = new DocumentView()
   readonly #lines: Lines
+  readonly #skeleton: SkeletonOverlay
   readonly #tools = new ToolChoice()
   readonly #faces = signal<readonly string[]>([])
 
@@ -92,6 +96,7 @@ export class Studio {
         draw: () => {
           this.#viewer?.draw()
           this.#lines.draw()
+          this.#skeleton.draw()
         },
         isMoving: () => this.#isMoving,
       },
@@ -222,6 +227,14 @@ export class Studio {
       onSkin: (hit) => pointer.point(hit),
       attempt,
     })
+    this.#skeleton = new SkeletonOverlay({
+      stage: page.viewport,
+      viewer: this.#face.viewer,
+      set: (write) => this.#face.set(write),
+      wake,
+      label: POSES.skeleton,
+      nameOf: jointLabel,
+    })
     this.#resume = new Resume({
       host: this.#host,
       workspace: this.#workspace,
@@ -262,6 +275,7 @@ export class Studio {
         workspace: this.#workspace,
         saving,
         face: this.#face,
+        skeleton: this.#skeleton,
         lines: this.#lines,
         areas,
         faceAreas,
@@ -322,8 +336,9 @@ export class Studio {
         }),
       frame: () => this.#frameSelection(areas.chosen.peek()?.weights ?? null),
       expression: (number) => {
-        const expression = this.#viewer?.expressions[number - 1]
-        if (expression) this.#face.play(expression.name)
+        const shown = this.#viewer && shownPoses(this.#viewer)[number - 1]
+        if (shown?.kind === 'expression') this.#face.play(shown.name)
+        else if (shown) this.#face.playPose(shown.name)
       },
       motion: (name) => {
         if (this.#tools.mode.peek() !== 'motion') return false

@@ -17,16 +17,28 @@ export {
   isFoldedAs,
   kindNote,
 } from '../src/author/auto/character/choose-surfaces.ts'
-export { judgeKind } from '../src/author/auto/character/judge-kind.ts'
+export { judgeKind, type MaterialJson, type SurfaceNames } from '../src/author/auto/character/judge-kind.ts'
 export { CHARACTER_LIMITS, CharacterBudget } from '../src/author/auto/character/limits.ts'
+export { clothOf } from '../src/author/auto/character/named-cloth.ts'
 export { SURFACE_KINDS, type SurfaceKind } from '../src/author/auto/character/surface-kinds.ts'
 export type { MissingRegion } from '../src/author/auto/fit/fit-driver.ts'
 export type { AutoFurrows, FurrowArea } from '../src/author/auto/furrows/draw-net.ts'
+export {
+  type AreaPlace,
+  type AreaView,
+  BENT,
+  isFolding,
+  type JointRotation,
+  placeOfArea,
+  poseOfDriver,
+  viewOfPlace,
+} from '../src/author/auto/joints/area-pose.ts'
 export { type AreaLineSettings, layAreaLines } from '../src/author/auto/lines/area-lines.ts'
 export { regionStrength } from '../src/author/auto/lines/region-strengths.ts'
 export { halfSide, heightLevels } from '../src/author/auto/raster/half-side.ts'
 export { findBody } from '../src/author/auto/skeleton/body.ts'
-export { limbsOf } from '../src/author/auto/skeleton/limbs-of.ts'
+export { boneNameOf } from '../src/author/auto/skeleton/bone-names.ts'
+export { type LimbJoints, limbsOf } from '../src/author/auto/skeleton/limbs-of.ts'
 export { type StrainMap, strainMaps } from '../src/author/auto/strain-map.ts'
 export { MAX_SKIN_TRIANGLES } from '../src/author/auto/surface/check-skin.ts'
 export {

@@ -5,6 +5,7 @@ export { PoseWatch } from '../src/inspector/pose-watch.ts'
 export { strainColour, strainOf } from '../src/inspector/strain.ts'
 export { StrainView } from '../src/inspector/strain-view.ts'
 export { DeclaredWrinkles } from '../src/three/loader/declared-wrinkles.ts'
+export { animatedRotations, readBoundSkin, surfaceInFile } from '../src/three/loader/file-surface.ts'
 export { expressionsOfMesh, nameTargets } from '../src/three/loader/file-targets.ts'
 export { readImages } from '../src/three/loader/load-wrinkle-set.ts'
 export {

@@ -2,6 +2,7 @@ import { FurrowError, type GrayImage } from 'furrow'
 import type { AutoWrinkles } from 'furrow/author'
 import { autoDrivers, DEFAULT_AREA_SIZE, halfSide, MAX_LAYERS, strokesOf } from 'furrow/internal'
 import { setAreaSize } from './area-size.ts'
+import { blankDocument } from './blank.ts'
 import {
   type AutoSettings,
   type ImageFile,
@@ -41,13 +42,15 @@ export function automaticDocument(
   names: Pick<StudioDocument, 'mesh' | 'material'>,
   images: readonly AutoMaps<ImageFile>[] = [],
 ): StudioDocument {
-  const { layers, areas, blood, bulges, scale } = wrinkles
+  const { layers, areas, jointAreas, blood, bulges, scale } = wrinkles
+  const all = [...areas, ...jointAreas, ...blood.areas, ...bulges]
   const isAutomatic = true
   return {
     ...names,
     scale,
-    mapSize: auto.size,
-    areaSize: (areas[0] ?? blood.areas[0] ?? bulges[0])?.weights.width ?? DEFAULT_AREA_SIZE,
+    // Maps of cloth can be smaller than the settings demand.
+    mapSize: layers[0]?.normal.width ?? auto.size,
+    areaSize: all[0]?.weights.width ?? DEFAULT_AREA_SIZE,
     layers: layers.map(
       ({ name, onset }, i): StudioLayer => ({
         ...LAYER_DEFAULTS,
@@ -57,7 +60,7 @@ export function automaticDocument(
         ...(onset && { isOnsetDrawn: true }),
       }),
     ),
-    areas: [...areas, ...blood.areas, ...bulges].map(({ name, layer, weights }): StudioArea => {
+    areas: all.map(({ name, layer, weights }): StudioArea => {
       return { name, layer: layers[layer].name, combine: 'sum', activation: 0, weights, isAutomatic }
     }),
     strokes: (strokesOf(wrinkles).strokes as LayerStroke[]).map((stroke) => ({ ...stroke, isAutomatic })),
@@ -66,13 +69,20 @@ export function automaticDocument(
   }
 }
 
+/** Makes a document without wrinkles, which removes the automatic ones in `remake`. */
+export function withoutAutomatic(document: StudioDocument, auto: AutoSettings): StudioDocument {
+  const { mesh, material, scale, mapSize, areaSize } = document
+  const target = { ...(mesh !== undefined && { mesh }), ...(material !== undefined && { material }) }
+  return { ...target, ...blankDocument(auto), scale, mapSize, areaSize }
+}
+
 /**
  * Replaces the automatic wrinkles of a document by those in `newest`. Keeps the artist's work: painted areas with their drivers and strokes,
  * edited strokes, and layers with imported images.
  */
 export function remake(document: StudioDocument, newest: StudioDocument): StudioDocument {
-  // The size may have changed while the wrinkles were made.
-  const made = setAreaSize(newest, document.areaSize)
+  // The size may have changed while the wrinkles were made. A document without areas gets the size that suits the joints.
+  const made = document.areas.length > 0 ? setAreaSize(newest, document.areaSize) : newest
   const painted = new Set(document.areas.flatMap(({ name, isAutomatic }) => (isAutomatic ? [] : name)))
   // If the artist has edited one stroke of a group, keep all strokes of the group. Otherwise new strokes would cross the edited stroke, and the
   // strokes of a fork would no longer meet.
@@ -98,6 +108,7 @@ export function remake(document: StudioDocument, newest: StudioDocument): Studio
   const hasOldDrivers = (name: string) => painted.has(name) || (keptNames.has(name) && !madeNames.has(name))
   // Strokes are drawn over imported images, so the maps keep the size of the images.
   const hasImages = document.layers.some(hasOwnMaps)
+  const layers = joinedLayers(document, made, areas, strokes)
   return {
     ...made,
     ...(hasImages && { mapSize: document.mapSize }),
@@ -107,7 +118,7 @@ export function remake(document: StudioDocument, newest: StudioDocument): Studio
     ...shapesOf(document, keptNames),
     areas: restoreLayers(areas, document, strokes),
     strokes,
-    layers: joinedLayers(document, made, areas, strokes),
+    layers: layers.length > 0 ? layers : made.layers,
     drivers: [
       ...document.drivers
         .filter((driver) => {

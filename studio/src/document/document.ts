@@ -1,6 +1,6 @@
 import type { Combine, GrayImage, LayerKind, WrinkleDriver } from 'furrow'
-import type { AutoRegion, AutoSide, DenseRegion, Stroke, StrokesDocument } from 'furrow/author'
-import type { Furrows, ShapeCorrection } from 'furrow/internal'
+import type { AutoRegion, AutoSide, ClothKind, DenseRegion, Stroke, StrokesDocument } from 'furrow/author'
+import type { Furrows, ShapeCorrection, SurfaceKind } from 'furrow/internal'
 import type { Sculpted } from './sculpted.ts'
 import type { Take } from './take.ts'
 
@@ -110,7 +110,7 @@ export const AUTO_SYMMETRIES = [0, 1] as const
 export const AUTO_DENSITIES = [0.5, 2] as const
 export const AUTO_SIZES = [512, 1024, 2048, 4096] as const
 
-/** Options of `autoWrinkles` that the studio offers. */
+/** Settings of automatic wrinkles: options of `autoWrinkles` that the studio offers, and the kind of the surface. */
 export interface AutoSettings {
   /** Age in years, 20..80. If set, the face also has wrinkles at rest. */
   readonly age?: number
@@ -132,6 +132,10 @@ export interface AutoSettings {
   readonly regions?: readonly AutoRegion[]
   /** `StudioDocument.shapes` at the time when the automatic wrinkles were made. */
   readonly shapes?: readonly ShapeCorrection[]
+  /** Kind of the surface, as the user stated. Default: judged by names and material. */
+  readonly kind?: SurfaceKind
+  /** Kind of cloth, as the user stated, if the surface is cloth. Default: judged by names. */
+  readonly cloth?: ClothKind
 }
 
 export const AUTO_SETTINGS: AutoSettings = { strength: 1, size: 1024 }

@@ -4,7 +4,8 @@ import { AUTO_SETTINGS, type AutoSettings } from './document.ts'
 import { limited } from './region-strengths.ts'
 
 /**
- * Returns the preset that carries settings to other faces. It has no seeds, so that each face gets lines of its own, and no map size.
+ * Returns the preset that carries settings to other faces. It has no seeds, so that each face gets lines of its own, and neither the map size
+ * nor the kind of the surface.
  */
 export function presetOf({
   age,
@@ -25,13 +26,17 @@ export function presetOf({
   }
 }
 
-/** Returns the settings of a face after a preset is applied. The face keeps its map size, and its seeds if the preset has none. */
-export function applyPreset({ size, seed, seeds }: AutoSettings, preset: AutoPreset): AutoSettings {
+/** Returns the settings of a face after a preset is applied. The face keeps its map size, its surface, and its seeds if the preset has none. */
+export function applyPreset(
+  { size, seed, seeds, kind, cloth }: AutoSettings,
+  preset: AutoPreset,
+): AutoSettings {
   const own = preset.seed === undefined && {
     ...(seed !== undefined && { seed }),
     ...(seeds && { seeds }),
   }
-  return { ...AUTO_SETTINGS, size, ...own, ...preset }
+  const surface = { ...(kind && { kind }), ...(cloth && { cloth }) }
+  return { ...AUTO_SETTINGS, size, ...surface, ...own, ...preset }
 }
 
 /** Rounds strengths, omits those that are 1, and joins those of both halves of a region if they are equal. */

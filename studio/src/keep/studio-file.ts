@@ -1,4 +1,4 @@
-import { AUTO_REGIONS, DENSE_REGIONS } from 'furrow/author'
+import { AUTO_REGIONS, CLOTH_KINDS, DENSE_REGIONS } from 'furrow/author'
 import {
   AUTO_SIDES,
   JsonReader,
@@ -6,6 +6,7 @@ import {
   MAX_NUMBER,
   parseCorrections,
   SCALE_RANGE,
+  SURFACE_KINDS,
 } from 'furrow/internal'
 import {
   AUTO_AGES,
@@ -165,7 +166,8 @@ function listOf<T>(
 /** Reads the settings of automatic wrinkles. Throws FurrowError at the first invalid field. */
 export function parseAuto(reader: JsonReader, value: unknown, path: string): AutoSettings {
   const fields = reader.object(value, path)
-  const { age, strength, size, seed, seeds, strengths, densities, symmetry, regions, shapes } = fields
+  const { age, strength, size, seed, seeds, strengths, densities, symmetry, regions, shapes, kind, cloth } =
+    fields
   const seedAt = (value: unknown, path: string) => reader.integer(value, path, 0, 2 ** 32 - 1)
   const byRegion = (
     value: unknown,
@@ -204,6 +206,8 @@ export function parseAuto(reader: JsonReader, value: unknown, path: string): Aut
       ),
     }),
     ...(shapes !== undefined && { shapes: parseCorrections(shapes, `${STUDIO_FILE}: ${path}`) }),
+    ...(kind !== undefined && { kind: reader.choice(kind, `${path}.kind`, SURFACE_KINDS) }),
+    ...(cloth !== undefined && { cloth: reader.choice(cloth, `${path}.cloth`, CLOTH_KINDS) }),
   }
 }
 

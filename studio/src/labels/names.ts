@@ -1,4 +1,5 @@
 import { displayName } from '../display-name.ts'
+import { jointRegionLabel } from './joints.ts'
 
 /** Everyday names of the regions, by their names in files without the side. */
 const REGION_NAMES: Readonly<Record<string, string>> = {
@@ -71,6 +72,8 @@ export function regionName(stem: string): string {
 
 /** Returns the everyday name of a region: `Inner forehead, left` for `foreheadInnerLeft`. */
 export function regionLabel(name: string): string {
+  const ofJoint = jointRegionLabel(name)
+  if (ofJoint) return ofJoint
   const [stem, side] = splitSide(name)
   return side ? `${regionName(stem)}, ${side.toLowerCase()}` : regionName(name)
 }

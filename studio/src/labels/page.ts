@@ -85,18 +85,14 @@ export const INSPECTOR = {
   lineShows: 'A line shows when its region does.',
 } as const
 
-/** Message below an avatar that has no expressions. */
+/** Message below an avatar that has no expressions and no poses, with buttons that let its joints fold it. */
 export const NO_SHAPES = {
   none: 'This avatar has no blendshapes.',
-  joints: 'Its joints can fold skin and clothes: drop the file that this command writes,',
+  hard: 'Its joints do not fold this mesh, because it looks hard. Is it something else?',
+  skeleton: 'Drag its skeleton to pose it.',
   regions: 'The sliders of its regions show its wrinkles, and so do its animations.',
-  lines: 'Lines that you draw are always visible.',
+  lines: 'Lines that you draw are always visible, until you let a joint show their region.',
 } as const
-
-/** Returns the command that makes wrinkles from joints. */
-export function autoCommand(file: string): string {
-  return `npx furrow auto ${file} -o wrinkled.glb`
-}
 
 /** Returns the sentence about a mesh that cannot get wrinkles. @param problem reason, and a remedy. */
 export function cannotWrinkleLabel(mesh: string, problem: string | null): string {

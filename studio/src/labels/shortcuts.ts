@@ -15,6 +15,7 @@ export const SCOPES: Readonly<Record<Scope, string>> = {
   linePoint: 'On a point of a line, in the panel',
   texture: 'On the texture',
   curve: 'On a point of a curve',
+  skeleton: 'On a bone of the skeleton',
   divider: 'On the divider',
 }
 
@@ -87,6 +88,12 @@ export const SHORTCUT_LABELS: { readonly [scope in Scope]: Readonly<Record<Short
     up: 'Upwards, far with Shift',
     down: 'Downwards, far with Shift',
     remove: 'Delete the point',
+  },
+  skeleton: {
+    left: 'Turn it counterclockwise, far with Shift',
+    right: 'Turn it clockwise, far with Shift',
+    up: 'The bone before it',
+    down: 'The bone after it',
   },
   divider: {
     left: 'To the left',

@@ -1,6 +1,6 @@
 import type { VRM } from '@pixiv/three-vrm'
 import { type Expression, FurrowError } from 'furrow'
-import type { AnimationClip, Object3D, SkinnedMesh } from 'three'
+import type { AnimationClip, Object3D, Quaternion, SkinnedMesh } from 'three'
 import type { Face } from '../../../stage/face.ts'
 import type { StudioDocument } from '../document/document.ts'
 import type { DroppedFile } from '../files/dropped-files.ts'
@@ -30,6 +30,8 @@ export interface OpenedAvatar {
   /** Index of the chosen skin in `skins`. */
   readonly skin: number
   readonly animations: readonly AnimationClip[]
+  /** Rotations of all objects at rest, relative to their parents. */
+  readonly rest: ReadonlyMap<Object3D, Quaternion>
   readonly vrm: VRM | null
   /** Expressions of a VRM, as blendshape weights. */
   readonly expressions: readonly Expression[]
@@ -97,6 +99,7 @@ export async function openAvatar(
     files: [face, ...new Set(file.references.values())] as const,
     root: gltf.scene,
     animations: gltf.animations,
+    rest: rotationsIn(gltf.scene),
     vrm,
     expressions,
   }
@@ -119,6 +122,12 @@ export async function openAvatar(
   }
 }
 
+function rotationsIn(root: Object3D): ReadonlyMap<Object3D, Quaternion> {
+  const rotations = new Map<Object3D, Quaternion>()
+  root.traverse((object) => rotations.set(object, object.quaternion.clone()))
+  return rotations
+}
+
 export function faceOf({ root, skins, skin }: OpenedAvatar): Face {
   const { meshes, wrinkles } = skins[skin]
   const [first, ...parts] = meshes
@@ -131,9 +140,9 @@ export function disposeAvatar({ root }: OpenedAvatar): void {
   root.traverse((object) => (object as Partial<SkinnedMesh>).skeleton?.dispose())
 }
 
-function notesOn({ name, problem, blendshapes }: SkinCandidate): string[] {
+function notesOn({ name, problem, blendshapes, rest }: SkinCandidate): string[] {
   if (problem) return [`${name} cannot wrinkle: ${problem}`]
-  if (blendshapes > 0) return []
+  if (blendshapes > 0 || rest.joints) return []
   return [`${name} has no blendshapes: it can be painted, but no expression moves it`]
 }
 

@@ -8,6 +8,7 @@ import { type GLTF, GLTFLoader } from 'three/addons/loaders/GLTFLoader.js'
 import type { FaceFile } from './face-file.ts'
 import { findSkins, type SkinCandidate } from './skins.ts'
 import { hoistNames } from './target-names.ts'
+import { turnUpright } from './upright.ts'
 
 export interface LoadedGltf {
   gltf: GLTF
@@ -64,6 +65,7 @@ async function load(face: FaceFile, isVrm: boolean): Promise<LoadedGltf> {
     const loaded: VRM | null = gltf.userData.vrm ?? null
     // VRM 0 avatars look along -Z, others along +Z.
     if (loaded) vrm?.VRMUtils.rotateVRM0(loaded)
+    else turnUpright(gltf)
     const notes: string[] = []
     const skins = await findSkins(gltf, (problem) => notes.push(problem))
     return { gltf, skins, vrm: loaded, expressions: vrmExpressions(gltf.parser.json), notes }

@@ -9,18 +9,24 @@ import {
 import { AUTOMATIC } from '../labels/automatic.ts'
 import { regionName } from '../labels/names.ts'
 import { sizeLabel } from '../labels/regions.ts'
+import { autoSource } from '../open/surface.ts'
 import { FileButton } from './controls/file-button.tsx'
 import { NumberSlider } from './controls/number-slider.tsx'
 import type { PanelModel } from './model.ts'
+import { SurfaceChoice } from './surface.tsx'
 
 /** Settings of automatic wrinkles. While a slider moves, the face shows previews. On release, the complete wrinkles are made. */
 export function AutomaticWrinkles({ model }: { model: PanelModel }) {
-  const { auto, actions } = model
+  const { auto, source, actions } = model
   const settings = auto.value
+  // Regions and the symmetry of both sides belong to faces.
+  const hasShapes = (source.value?.skin.targets.length ?? 0) > 0
+  if (!source.value || !autoSource(source.value, settings)) return <SurfaceChoice model={model} />
   const make = (change: Partial<AutoSettings>) => actions.makeAuto({ ...settings, ...change })
   const preview = (change: Partial<AutoSettings>) => actions.previewAuto({ ...settings, ...change })
   return (
     <div class="settings-group">
+      <SurfaceChoice model={model} />
       <NumberSlider
         label={AUTOMATIC.age}
         range={[...AUTO_AGES, 1]}
@@ -35,13 +41,15 @@ export function AutomaticWrinkles({ model }: { model: PanelModel }) {
         onMove={(strength) => preview({ strength })}
         onRest={(strength) => make({ strength })}
       />
-      <NumberSlider
-        label={AUTOMATIC.symmetry}
-        range={[...AUTO_SYMMETRIES, 0.05]}
-        value={settings.symmetry ?? AUTO_DEFAULTS.symmetry}
-        onMove={(symmetry) => preview({ symmetry })}
-        onRest={(symmetry) => make({ symmetry })}
-      />
+      {hasShapes && (
+        <NumberSlider
+          label={AUTOMATIC.symmetry}
+          range={[...AUTO_SYMMETRIES, 0.05]}
+          value={settings.symmetry ?? AUTO_DEFAULTS.symmetry}
+          onMove={(symmetry) => preview({ symmetry })}
+          onRest={(symmetry) => make({ symmetry })}
+        />
+      )}
       <div class="settings">
         <div class="setting">
           <label for="map-size">{AUTOMATIC.size}</label>
@@ -61,13 +69,15 @@ export function AutomaticWrinkles({ model }: { model: PanelModel }) {
       <button type="button" onClick={() => make({ seed: (settings.seed ?? 0) + 1, seeds: {} })}>
         {AUTOMATIC.shuffle}
       </button>
-      <Regions
-        chosen={settings.regions ?? AUTO_REGIONS}
-        onChange={(regions) => {
-          const { regions: _, ...others } = settings
-          actions.makeAuto(regions.length === AUTO_REGIONS.length ? others : { ...others, regions })
-        }}
-      />
+      {hasShapes && (
+        <Regions
+          chosen={settings.regions ?? AUTO_REGIONS}
+          onChange={(regions) => {
+            const { regions: _, ...others } = settings
+            actions.makeAuto(regions.length === AUTO_REGIONS.length ? others : { ...others, regions })
+          }}
+        />
+      )}
       <div class="work">
         <button type="button" onClick={actions.savePreset}>
           {AUTOMATIC.savePreset}

@@ -8,6 +8,7 @@ import type { ProjectEntry } from '../keep/project-store.ts'
 import type { FillOffer } from '../lines/fill-offer.ts'
 import type { LineEditor } from '../lines/line-editor.ts'
 import type { Live } from '../live/live.ts'
+import type { SkinSource } from '../open/skin-source.ts'
 import type { AreaEditor } from '../session/area-editor.ts'
 import type { AutoRun } from '../session/automatic.ts'
 import type { ExportState } from '../session/exporting.ts'
@@ -59,15 +60,21 @@ export interface PanelModel {
   readonly revision: ReadonlySignal<number>
   /** Expression that the face has or moves to. Null after a slider has changed the face. */
   readonly expression: ReadonlySignal<string | null>
+  /** Pose of joints that the avatar has or moves to: the name of a pose, or `REST_POSE`. Null after joints were turned otherwise. */
+  readonly bodyPose: ReadonlySignal<string | null>
   readonly hovered: Signal<Hovered | null>
   /** Light and turntable. */
   readonly staging: Staging
   readonly meshes: MeshVisibility
   readonly pictures: PosePictures
+  /** Whether the skeleton is drawn over the stage. */
+  readonly isSkeletonShown: Signal<boolean>
   readonly player: ClipPlayer
   readonly live: Live
   readonly takes: TakeEditor
   readonly auto: ReadonlySignal<AutoSettings>
+  /** Skin with its blendshapes and joints. Null if it cannot wrinkle, or while the wrinkles of the file are shown. */
+  readonly source: ReadonlySignal<SkinSource | null>
   /** Progress of making automatic wrinkles, or null. */
   readonly autoRun: ReadonlySignal<AutoRun | null>
   /** Whether the first wrinkles of an avatar are made and drawn. */
@@ -95,6 +102,8 @@ export interface PanelActions {
   setMode(mode: WrinkleMode): void
   setLook(look: Look): void
   play(expression: string): void
+  /** @param pose name of a pose of joints, or `REST_POSE`. */
+  playPose(pose: string): void
   /** Starts the chosen source of live face scores. */
   startLive(): void
   /** Saves the calibration of the current sender as a file. */

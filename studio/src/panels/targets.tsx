@@ -36,6 +36,7 @@ export function Targets({ model }: { model: PanelModel }) {
       </button>
     </>
   )
+  if (!dials || dials.length === 0) return null
   return (
     <Section title={PLACES.targets} aside={aside}>
       <div class="filter">

@@ -1,9 +1,15 @@
 import { computed, effect, type ReadonlySignal, signal } from '@preact/signals'
 import { FurrowError } from 'furrow'
 import type { AutoWrinkles } from 'furrow/author'
-import { DEFAULT_AREA_SIZE } from 'furrow/internal'
 import type { TargetNames } from 'furrow-files'
-import { type AutoMaps, autoMaps, automaticDocument, maxAutoLayers, remake } from '../document/automatic.ts'
+import {
+  type AutoMaps,
+  autoMaps,
+  automaticDocument,
+  maxAutoLayers,
+  remake,
+  withoutAutomatic,
+} from '../document/automatic.ts'
 import { blankDocument } from '../document/blank.ts'
 import {
   AUTO_SETTINGS,
@@ -21,6 +27,7 @@ import { nextTask } from '../later.ts'
 import { type OpenedAvatar, openAvatar } from '../open/avatar.ts'
 import { correctedSkin, type SkinSource, skinSource } from '../open/skin-source.ts'
 import { skinOfDocument } from '../open/skins.ts'
+import { autoSource } from '../open/surface.ts'
 import type { DrawnDocument } from '../viewer/document-view.ts'
 import { Automatic } from './automatic.ts'
 import { type DrawnWork, Exporting } from './exporting.ts'
@@ -144,12 +151,13 @@ export class Workspace {
     if (source && !opened) await this.#begin(source)
   }
 
-  /** Opens a document with automatic wrinkles. If the skin has no blendshapes or no wrinkles can be made, opens an empty document. */
+  /** Opens a document with automatic wrinkles. If neither blendshapes nor joints wrinkle the skin, opens an empty document. */
   async #begin(source: SkinSource): Promise<void> {
-    const auto = source.skin.targets.length > 0 ? this.initialSettings : undefined
+    const isMovable = source.skin.targets.length > 0 || source.limbs.length > 0
+    const auto = isMovable ? this.initialSettings : undefined
     this.#beginning.value = source
     try {
-      if (auto) await this.makeAuto(auto)
+      if (auto && autoSource(source, auto)) await this.makeAuto(auto)
     } finally {
       if (this.#beginning.peek() === source) this.#beginning.value = null
       const isEmpty = source === this.#source.peek() && !this.session.document.peek()
@@ -206,6 +214,11 @@ export class Workspace {
     const avatar = this.#avatar
     const settings = this.#withCorrections(chosen)
     this.#endAuto()
+    const source = this.#source.peek()
+    if (source && !autoSource(source, settings)) {
+      this.session.edit(STEP.makeWrinkles, (old) => remake(old, withoutAutomatic(old, settings)))
+      return
+    }
     const wrinkles = await this.#runAuto(settings)
     if (!wrinkles) return
     const used = { ...settings, seed: wrinkles.seed }
@@ -256,18 +269,25 @@ export class Workspace {
 
   async #runAuto(settings: AutoSettings, size = settings.size): Promise<AutoWrinkles | null> {
     const source = this.#source.peek()
-    if (!source) return null
+    const found = source && autoSource(source, settings)
+    if (!found) return null
     this.#settings.value = settings
-    const layers = maxAutoLayers(this.session.document.peek())
-    const { shapes = [], strengths = {}, ...others } = settings
+    const document = this.session.document.peek()
+    const { shapes = [], strengths = {}, kind: _, cloth: __, regions, ...others } = settings
     const options = {
       ...others,
+      ...found.options,
+      // Regions belong to faces.
+      ...(regions && found.skin.targets.length > 0 && { regions }),
       strengths: limited(strengths),
       size,
-      areaSize: this.#areaSize,
-      layers,
+      // Joints fold small parts of a large skin. `autoWrinkles` then chooses a larger size.
+      ...(document && document.areas.length > 0 && { areaSize: document.areaSize }),
+      layers: maxAutoLayers(document),
     }
-    const wrinkles = await this.automatic.make({ ...source, skin: correctedSkin(source, shapes) }, options)
+    const { frame, meshes } = source
+    const skin = correctedSkin({ skin: found.skin, meshes }, shapes)
+    const wrinkles = await this.automatic.make({ skin, frame }, options)
     if (!wrinkles) return null
     if (wrinkles.emptyReason !== undefined) throw noWrinklesError(wrinkles.emptyReason)
     return wrinkles
@@ -279,10 +299,6 @@ export class Workspace {
     images?: readonly AutoMaps<ImageFile>[],
   ): StudioDocument {
     return automaticDocument(wrinkles, settings, this.#target, images)
-  }
-
-  get #areaSize(): number {
-    return this.session.document.peek()?.areaSize ?? DEFAULT_AREA_SIZE
   }
 
   /** Names of the skin's mesh and material. Documents contain them, so that a project opens with the same skin. */

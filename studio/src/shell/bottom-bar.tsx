@@ -1,10 +1,13 @@
 import { signal } from '@preact/signals'
+import { poseLabel } from '../labels/joints.ts'
 import { expressionLabel } from '../labels/names.ts'
 import { PLACES } from '../labels/page.ts'
 import { PosePicture } from '../panels/controls/pose-picture.tsx'
 import type { PanelModel } from '../panels/model.ts'
+import { Poses } from '../panels/poses.tsx'
 import { Targets } from '../panels/targets.tsx'
 import { Icon } from '../ui/icon.tsx'
+import { shownPoses } from '../viewer/shown-poses.ts'
 import { NoShapes } from './no-shapes.tsx'
 
 /** Number of expressions that have a key. */
@@ -12,34 +15,37 @@ export const KEYS = 9
 
 const isOpen = signal(false)
 
-/** Bar below the stage: the expressions of this avatar, and the sliders of its blendshapes. */
+/** Bar below the stage: the expressions of this avatar, the poses of its joints, and the sliders behind them. */
 export function BottomBar({ model }: { model: PanelModel }) {
-  const { viewer, revision, expression, pictures, actions } = model
+  const { viewer, revision, expression, bodyPose, pictures, actions } = model
   revision.value
-  const names = viewer.value?.expressions.map(({ name }) => name) ?? []
-  const hasTargets = (viewer.value?.targets.length ?? 0) > 0
-  if (viewer.value && !hasTargets) return <NoShapes viewer={viewer.value} />
+  const poses = viewer.value ? shownPoses(viewer.value) : []
+  if (viewer.value && poses.length === 0) return <NoShapes model={model} viewer={viewer.value} />
   const urls = pictures.urls.value
   return (
     <>
       <div class="strip">
         <fieldset id="expressions" class="poses" aria-label={PLACES.expressions}>
-          {names.map((name, i) => (
-            <button
-              key={name}
-              type="button"
-              aria-pressed={expression.value === name}
-              data-key={i < KEYS ? i + 1 : undefined}
-              aria-keyshortcuts={i < KEYS ? `${i + 1}` : undefined}
-              title={i < KEYS ? `${expressionLabel(name)} (${i + 1})` : expressionLabel(name)}
-              onClick={() => actions.play(name)}
-            >
-              <PosePicture url={urls.get(name)} />
-              {expressionLabel(name)}
-            </button>
-          ))}
+          {poses.map(({ kind, name }, i) => {
+            const isExpression = kind === 'expression'
+            const label = isExpression ? expressionLabel(name) : poseLabel(name)
+            return (
+              <button
+                key={`${kind} ${name}`}
+                type="button"
+                aria-pressed={(isExpression ? expression : bodyPose).value === name}
+                data-key={i < KEYS ? i + 1 : undefined}
+                aria-keyshortcuts={i < KEYS ? `${i + 1}` : undefined}
+                title={i < KEYS ? `${label} (${i + 1})` : label}
+                onClick={() => (isExpression ? actions.play(name) : actions.playPose(name))}
+              >
+                <PosePicture url={urls.get(name)} />
+                {label}
+              </button>
+            )
+          })}
         </fieldset>
-        {hasTargets && (
+        {poses.length > 0 && (
           <button
             type="button"
             class="sliders"
@@ -54,7 +60,8 @@ export function BottomBar({ model }: { model: PanelModel }) {
           </button>
         )}
       </div>
-      <div id="target-panel" hidden={!hasTargets || !isOpen.value}>
+      <div id="target-panel" hidden={poses.length === 0 || !isOpen.value}>
+        <Poses model={model} />
         <Targets model={model} />
       </div>
     </>

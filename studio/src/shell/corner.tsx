@@ -1,3 +1,4 @@
+import { POSES } from '../labels/joints.ts'
 import { VIEW, VIEW_HINTS } from '../labels/stage.ts'
 import { Choice } from '../panels/controls/choice.tsx'
 import type { PanelModel } from '../panels/model.ts'
@@ -5,6 +6,7 @@ import { StagingControls } from '../panels/staging.tsx'
 import { Icon } from '../ui/icon.tsx'
 import { Popover } from '../ui/popover.tsx'
 import type { Look, LookName } from '../viewer/looks/look.ts'
+import { REST_POSE } from '../viewer/pose/skeleton-pose.ts'
 
 interface LookOption {
   value: LookName
@@ -28,13 +30,15 @@ const OTHERS: readonly LookOption[] = [
 
 /** Controls in the corner of the stage: what it shows, the light and the turntable. */
 export function Corner({ model }: { model: PanelModel }) {
-  const { viewer, revision, staging, actions } = model
+  const { viewer, revision, staging, isSkeletonShown, actions } = model
   revision.value
+  const hasSkeleton = (viewer.value?.skeleton.joints.length ?? 0) > 1
   const look: Look = viewer.value?.look ?? { name: 'shaded' }
   const choose = (name: LookName) => actions.setLook({ name })
   return (
     <>
       {look.name === 'strain' && <p class="hint">{VIEW_HINTS.strainColours}</p>}
+      {hasSkeleton && isSkeletonShown.value && <SkeletonHint model={model} />}
       <div class="corner-row">
         <Choice label={VIEW.show} options={MAIN} value={look.name} onChange={choose} />
         <Popover label={VIEW.more} class="plain" placement="top-end" button={<Icon name="more" />}>
@@ -45,8 +49,34 @@ export function Corner({ model }: { model: PanelModel }) {
           )}
         </Popover>
         <StagingControls staging={staging} />
+        {hasSkeleton && (
+          <button
+            type="button"
+            class="plain"
+            aria-label={POSES.skeleton}
+            aria-pressed={isSkeletonShown.value}
+            title={POSES.skeleton}
+            onClick={() => {
+              isSkeletonShown.value = !isSkeletonShown.peek()
+            }}
+          >
+            <Icon name="skeleton" />
+          </button>
+        )}
       </div>
     </>
+  )
+}
+
+/** Tells how to pose the skeleton, and resets it. */
+function SkeletonHint({ model: { actions } }: { model: PanelModel }) {
+  return (
+    <div class="skeleton-hint">
+      <p class="hint">{POSES.skeletonHint}</p>
+      <button type="button" onClick={() => actions.playPose(REST_POSE)}>
+        {POSES.rest}
+      </button>
+    </div>
   )
 }
 

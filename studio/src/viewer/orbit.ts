@@ -14,6 +14,11 @@ const ROTATION_STEP = Math.PI / 36
 /** Zoom factor per key press. */
 const ZOOM_STEP = 1.08
 
+/** Half width of the middle of the picture in which a sphere counts as seen, as a fraction of half the picture. */
+const SEEN = 0.85
+/** Height of a sphere that counts as seen, as a fraction of the picture's height. */
+const VISIBLE = 0.15
+
 /** Position and target of a camera. */
 export interface Pose {
   position: Vector3
@@ -108,6 +113,15 @@ export class Orbit {
     this.#view = null
     this.#transition = this.#reducedMotion ? null : { from, to, elapsed: 0 }
     this.pose = this.#transition ? from : to
+  }
+
+  /** Looks at a sphere like `lookAt`, unless the sphere is in the picture and at least `VISIBLE` of the picture's height. */
+  show(target: Vector3, radius: number): void {
+    const { camera } = this.#stage
+    camera.updateMatrixWorld()
+    const { x, y } = target.clone().project(camera)
+    const half = camera.position.distanceTo(target) * Math.tan((camera.fov * Math.PI) / 360)
+    if (Math.max(Math.abs(x), Math.abs(y)) > SEEN || radius < VISIBLE * half) this.lookAt(target, radius)
   }
 
   /** Applies the pose and the fixed view of another `Orbit`. */

@@ -1,4 +1,5 @@
 import { type ReadonlySignal, type Signal, signal, untracked } from '@preact/signals'
+import { Vector3 } from 'three'
 import type { Messages } from '../messages.ts'
 import { reducedMotion } from '../motion.ts'
 import type { Hovered } from './hovered.ts'
@@ -14,6 +15,8 @@ import type { Viewer } from './viewer.ts'
 
 /** Duration of a transition between expressions, seconds. */
 const EXPRESSION_TIME = 0.35
+/** Radius of the sphere that the camera shows around folds, relative to their size. */
+const AROUND = 2
 
 export interface ShownFaceParts {
   /** Returns the viewer of the face, or null while another face is being opened. */
@@ -41,6 +44,7 @@ export class ShownFace {
   readonly #frame = signal(0)
   readonly #revision = signal(0)
   readonly #expression = signal<string | null>(null)
+  readonly #bodyPose = signal<string | null>(null)
 
   constructor(parts: ShownFaceParts) {
     this.#parts = parts
@@ -60,7 +64,7 @@ export class ShownFace {
     })
     const begin = () => {
       this.#finishMotion()
-      this.#expression.value = null
+      this.#expression.value = this.#bodyPose.value = null
     }
     this.player = new ClipPlayer({ viewer, begin, onPose })
     this.live = new LivePose({
@@ -89,6 +93,11 @@ export class ShownFace {
     return this.#expression
   }
 
+  /** Pose of joints that the avatar has or moves to: the name of a pose, or `REST_POSE`. Null after joints were turned otherwise. */
+  get bodyPose(): ReadonlySignal<string | null> {
+    return this.#bodyPose
+  }
+
   get isMoving(): boolean {
     return (this.#live?.isMoving || this.#performer.isMoving || this.player.isPlaying.peek()) ?? false
   }
@@ -98,7 +107,7 @@ export class ShownFace {
     const isOther = root !== this.viewer.peek()?.avatar.root
     this.viewer.value = viewer
     if (!isOther) return
-    this.#expression.value = null
+    this.#expression.value = this.#bodyPose.value = null
     this.live.stop()
     this.player.open(root, animations)
   }
@@ -141,9 +150,23 @@ export class ShownFace {
     })
   }
 
-  /** Sets a slider. Sliders of blendshapes stop a clip, and the live pose. */
+  /** Starts a transition to a pose of joints: the name of a pose, or `REST_POSE`. */
+  playPose(name: string): void {
+    this.change((viewer) => {
+      this.#performer.settle()
+      this.#stopMotion()
+      viewer.playPose(name, reducedMotion.matches ? 0 : EXPRESSION_TIME)
+      this.#bodyPose.value = name
+      const place = viewer.skeleton.poses.find((pose) => pose.name === name)?.place()
+      if (place) this.#parts.orbit()?.show(new Vector3(...place.middle), AROUND * place.size)
+      this.#frame.value++
+    })
+  }
+
+  /** Sets a slider. Sliders of blendshapes and of poses stop a clip, and the live pose. */
   input(dial: Dial, value: number): void {
-    if (this.#live?.targets.includes(dial)) this.set(() => dial.write(value))
+    const { targets, poses } = this.#live ?? {}
+    if (targets?.includes(dial) || poses?.includes(dial)) this.set(() => dial.write(value))
     else this.#set(() => dial.write(value))
   }
 
@@ -160,7 +183,7 @@ export class ShownFace {
     this.change(() => {
       this.#finishMotion()
       write()
-      this.#expression.value = null
+      this.#expression.value = this.#bodyPose.value = null
       this.#frame.value++
     })
   }

@@ -8,7 +8,8 @@ import {
   type Layer,
   type WrinkleDriver,
 } from 'furrow'
-import { DEFAULT_AREA_SIZE } from 'furrow/internal'
+import type { Skin } from 'furrow/author'
+import { BENT, DEFAULT_AREA_SIZE } from 'furrow/internal'
 import { addArea, removeArea, type WrinkleMode } from 'furrow/three'
 import type { Mesh, Object3D } from 'three'
 import type { Face } from '../../../stage/face.ts'
@@ -16,10 +17,12 @@ import type { RendererKind, Stage, Wrinkles } from '../../../stage/stage.ts'
 import { AREA_SIZES } from '../document/area-size.ts'
 import { faceOf, type OpenedAvatar } from '../open/avatar.ts'
 import { releaseFromGPU } from '../open/release.ts'
+import { jointSkin } from '../open/skin-source.ts'
 import type { CanvasStage } from './canvas-stage.ts'
 import type { Look } from './looks/look.ts'
 import { Looks } from './looks/looks.ts'
 import { Sides } from './looks/sides.ts'
+import { type BodyPose, bodyPoses, jointsOfArea } from './pose/body-poses.ts'
 import { areaDials, type Dial, targetDials } from './pose/dials.ts'
 import { DrivenAreas } from './pose/driven-areas.ts'
 import { FaceExpressions } from './pose/face-expressions.ts'
@@ -30,6 +33,7 @@ import {
   performanceOf,
   type ShowingExpression,
 } from './pose/performance.ts'
+import { SkeletonPose } from './pose/skeleton-pose.ts'
 
 /** Draws one avatar on a canvas. A vertical divider separates the plain face (left) from the face with wrinkles (right). */
 export class Viewer {
@@ -41,6 +45,9 @@ export class Viewer {
   readonly meshes: readonly Mesh[]
   targets: readonly Dial[] = []
   areas: readonly Dial[] = []
+  /** Amounts of the poses of joints. */
+  poses: readonly Dial[] = []
+  readonly skeleton: SkeletonPose
   /** Position of the divider, as a fraction of the canvas's width. */
   split = 0.5
   /** Names of the areas that are drawn as if inactive. */
@@ -56,6 +63,10 @@ export class Viewer {
   #error: Error | null = null
   readonly #muscles: MuscleTargets
   readonly #expressions: FaceExpressions
+  /** Skin with its joints, read when drivers need them. */
+  #jointSkin: Skin | null | undefined
+  /** Weights of the areas, to find the areas on the skin. */
+  readonly #weights = new Map<string, Area<ArraySlice>['weights']>()
   #looks!: Looks
   #mode: WrinkleMode = 'default'
   #look: Look = { name: 'shaded' }
@@ -74,6 +85,7 @@ export class Viewer {
     this.meshes = meshesOf(face.root)
     this.#plain = cloned(face.skin.material)
     this.#expressions = new FaceExpressions(avatar.root, avatar.expressions)
+    this.skeleton = new SkeletonPose(avatar.root, avatar.rest)
     stage.show(face)
     this.#muscles = new MuscleTargets([face.skin, ...face.parts])
     this.#addWrinkles(face.wrinkles)
@@ -126,6 +138,8 @@ export class Viewer {
       this.#error = error as Error
     }
     this.driven.attach(this.#wrinkles, wrinkles?.set.areas ?? [], wrinkles?.drivers ?? [])
+    this.#weights.clear()
+    for (const { name, weights } of wrinkles?.set.areas ?? []) this.#weights.set(name, weights)
     this.onsets = onsetsOf(wrinkles?.set.layers ?? [])
     const createMirror = (mesh: Mesh, own: Wrinkles) => this.stage.mirror(mesh, own)
     this.#looks = new Looks(this.#face, this.#wrinkles, cloned(this.#plain), createMirror, this.onsets)
@@ -188,7 +202,30 @@ export class Viewer {
   /** Returns a pose that shows an area, or null if no expression or blendshape activates the area. */
   performanceOf(area: string): Performance | null {
     const names = this.targets.map(({ name }) => name)
-    return performanceOf(area, this.driven.drivers.list, this.#expressions.list, names)
+    const { list } = this.driven.drivers
+    return performanceOf(area, list, this.#expressions.list, names) ?? this.#foldingOf(area)
+  }
+
+  /** Returns a pose of joints that folds an area. The face stays as it is. */
+  #foldingOf(area: string): Performance | null {
+    const skin = this.#skinWithJoints()
+    if (!skin) return null
+    const turns = jointsOfArea(skin, this.driven.drivers.list, area, BENT)
+    if (turns.size === 0) return null
+    const targets = new Map(this.targets.map(({ name, read }) => [name, read()]))
+    return { targets, activations: new Map(), joints: this.skeleton.turned(turns) }
+  }
+
+  /** Returns the skin if drivers read its joints. */
+  #skinWithJoints(): Skin | null {
+    if (driversOf('bone', this.driven.drivers.list).length === 0) return null
+    this.#jointSkin ??= jointSkin(this.avatar)
+    return this.#jointSkin
+  }
+
+  /** Returns the poses of joints that fold an area. */
+  posesShowing(area: string): readonly BodyPose[] {
+    return this.skeleton.poses.filter(({ areas }) => areas.includes(area))
   }
 
   /** Returns the expressions that show an area, the strongest first. */
@@ -201,9 +238,9 @@ export class Viewer {
     return this.#expressions.list
   }
 
-  /** Whether a transition to an expression is running. */
+  /** Whether a transition to an expression or a pose of joints is running. */
   get isMoving(): boolean {
-    return this.#expressions.isMoving
+    return this.#expressions.isMoving || this.skeleton.isMoving
   }
 
   /** Starts a transition to an expression from the current state. */
@@ -211,9 +248,15 @@ export class Viewer {
     this.#moveFace(() => this.#expressions.play(name, seconds))
   }
 
+  /** Starts a transition to a pose of joints from the current one. @param name name of a pose, or `REST_POSE`. */
+  playPose(name: string, seconds: number): void {
+    this.move(() => this.skeleton.play(name, seconds))
+  }
+
   /** @param delta seconds since the last frame; infinity ends the transition. */
   advance(delta: number): void {
-    if (this.isMoving) this.#moveFace(() => this.#expressions.advance(delta))
+    if (this.#expressions.isMoving) this.#moveFace(() => this.#expressions.advance(delta))
+    if (this.skeleton.isMoving) this.move(() => this.skeleton.advance(delta))
   }
 
   /** Runs a function that moves joints and blendshapes directly. Then updates the driven areas. */
@@ -231,6 +274,7 @@ export class Viewer {
     addArea(this.wrinkles, area)
     this.#face.wrinkles?.set.areas.push(area)
     this.driven.resting.set(area.name, area.activation ?? 0)
+    this.#weights.set(area.name, area.weights)
     this.#areasChanged()
   }
 
@@ -238,6 +282,7 @@ export class Viewer {
   removeArea(name: string): void {
     if (!this.wrinkles) return
     removeArea(this.wrinkles, name)
+    this.#weights.delete(name)
     const set = this.#face.wrinkles?.set
     if (set) set.areas = set.areas.filter((area) => area.name !== name)
     const isShown = this.#look.name === 'influence' && this.#look.area === name
@@ -282,6 +327,13 @@ export class Viewer {
   #rebuildExpressions(): void {
     const names = (dials: readonly Dial[]) => dials.map(({ name }) => name)
     this.#expressions.rebuild(this.driven.drivers, this.wrinkles, names(this.targets), names(this.areas))
+    const skin = this.#skinWithJoints()
+    this.skeleton.poses = skin ? bodyPoses(skin, this.driven.drivers.list, this.#weights) : []
+    this.poses = this.skeleton.poses.map(({ name }) => ({
+      name,
+      read: () => this.skeleton.amountOf(name),
+      write: (amount) => this.move(() => this.skeleton.setAmount(name, amount)),
+    }))
   }
 }
 

@@ -261,6 +261,8 @@ describe('a hand-made folder', () => {
     [{ auto: { strength: 1, size: 1024, seed: 1, symmetry: 2 } }, 'auto.symmetry is out of range'],
     [{ auto: { strength: 1, size: 1024, seed: 1, regions: 'chin' } }, 'auto.regions must be an array'],
     [{ auto: { strength: 1, size: 1024, seed: 1, regions: ['tail'] } }, 'auto.regions[0] is unknown'],
+    [{ auto: { strength: 1, size: 1024, kind: 'fur' } }, 'auto.kind is unknown'],
+    [{ auto: { strength: 1, size: 1024, cloth: 'fur' } }, 'auto.cloth is unknown'],
     [{ auto: { strength: 1, size: 1024, strengths: { chin: -1 } } }, 'auto.strengths.chin is out of range'],
     [{ auto: { strength: 1, size: 1024, densities: { chin: 1 } } }, 'auto.densities has an unknown field'],
     [{ mapSize: -1 }, 'mapSize is out of range'],

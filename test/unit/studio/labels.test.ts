@@ -2,6 +2,7 @@ import { AUTO_REGIONS } from 'furrow/author'
 import { expect, it, test } from 'vitest'
 import { BOTH_SIDES, CENTRAL } from '../../../packages/furrow/src/drivers/morph/aliases.ts'
 import { displayName } from '../../../studio/src/display-name.ts'
+import { poseLabel } from '../../../studio/src/labels/joints.ts'
 import { blendshapeLabel, regionLabel, regionName } from '../../../studio/src/labels/names.ts'
 
 test.each([
@@ -11,8 +12,23 @@ test.each([
   ['flushCheeks', 'Redness: cheeks'],
   ['my_area2', 'My area 2'],
   ['Left', 'Left'],
+  ['LeftForeArm flexion', 'Elbow: inside, left'],
+  ['finger2-3.L back', 'Index finger 3: back, left'],
+  ['J_Bip_R_Ring2 flexion', 'Ring finger 2: inside, right'],
+  ['wrist.R thenar crease', 'Palm: thenar crease, right'],
+  ['head turn to the left', 'Neck: turn to the left'],
+  ['Bone_12 bend 2', 'Bone 12: bend 2'],
 ])('%s is called %s', (name, label) => {
   expect(regionLabel(name)).toBe(label)
+})
+
+test.each([
+  ['left elbow', 'Bend left elbow'],
+  ['left fist', 'Left fist'],
+  ['neck forward', 'Look down'],
+  ['tail3 bend 1', 'Bend tail 3, 1'],
+])('the pose %s is called %s', (name, label) => {
+  expect(poseLabel(name)).toBe(label)
 })
 
 test.each([

@@ -1,6 +1,11 @@
 import { describe, expect, it, test, vi } from 'vitest'
 import { remake } from '../../../studio/src/document/automatic.ts'
-import type { AutoSettings, LayerStroke, StudioDocument } from '../../../studio/src/document/document.ts'
+import {
+  AUTO_SETTINGS,
+  type AutoSettings,
+  type LayerStroke,
+  type StudioDocument,
+} from '../../../studio/src/document/document.ts'
 import { applyPreset, presetOf } from '../../../studio/src/document/preset.ts'
 import { setDepth, setStrength } from '../../../studio/src/document/region.ts'
 import { readPreset } from '../../../studio/src/open/read-preset.ts'
@@ -43,6 +48,12 @@ describe('a preset', () => {
       strengths: { crowsFeet: 0.5, foreheadInner: 1.6, foreheadOuter: 1.6 },
       densities: { nose: 2 },
     })
+  })
+
+  it('keeps what the surface of the avatar is', () => {
+    const cloth = { ...AUTO_SETTINGS, kind: 'cloth', cloth: 'denim' } as const
+    expect(applyPreset(cloth, { age: 60 })).toEqual({ ...cloth, age: 60 })
+    expect(presetOf(cloth)).not.toHaveProperty('kind')
   })
 
   it('replaces the seed if it has one', () => {

@@ -1,6 +1,6 @@
 import { findForks } from 'furrow/internal'
 import { beforeEach, describe, expect, test } from 'vitest'
-import { remake } from '../../../studio/src/document/automatic.ts'
+import { remake, withoutAutomatic } from '../../../studio/src/document/automatic.ts'
 import type { LayerStroke, StudioArea, StudioDocument } from '../../../studio/src/document/document.ts'
 import { setMap } from '../../../studio/src/document/layers.ts'
 import { Session } from '../../../studio/src/session/session.ts'
@@ -109,6 +109,15 @@ describe('making automatic wrinkles again', () => {
     expect(remade().strokes.slice(1)).toEqual(made.strokes.slice(0, 2))
     session.undo()
     expect(remade().strokes).toEqual(made.strokes)
+  })
+
+  test('removes all automatic wrinkles of a surface that nothing wrinkles, and takes any size of regions afterwards', () => {
+    const settings = { strength: 1, size: 64, kind: 'hard' } as const
+    const bare = remake(document(), withoutAutomatic(document(), settings))
+    expect([bare.areas, bare.strokes, bare.drivers, bare.auto]).toEqual([[], [], [], settings])
+    const larger = { ...automatic(0.1), areaSize: 8 }
+    expect(remake(bare, larger).areaSize).toBe(8)
+    expect(remake(document(), larger).areaSize).toBe(4)
   })
 
   test('does not bring deleted lines back', () => {

@@ -18,6 +18,8 @@ const source: SkinSource = {
     indices: [],
     targets: NAMES.map((name) => ({ name, offsets: [] })),
   },
+  surface: { kind: 'skin', cloth: 'shirt' },
+  limbs: [],
   meshes: ['Head', 'node of the head'],
   frame: 'derivative',
 }

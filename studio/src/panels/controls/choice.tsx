@@ -4,7 +4,8 @@ import { LabelledGroup } from './labelled-group.tsx'
 interface ChoiceProps<T extends string> {
   label: string
   options: readonly { value: T; label: string; title?: string }[]
-  value: T
+  /** Undefined if no option is chosen. */
+  value: T | undefined
   /** Maximum number of columns. Default: all options in one row. */
   columns?: number
   onChange(value: T): void

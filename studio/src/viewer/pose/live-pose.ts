@@ -5,7 +5,7 @@ import type { Viewer } from '../viewer.ts'
 import { type Pose, poseOf, writePose } from './pose.ts'
 
 export interface LivePoseParts {
-  viewer: ReadonlySignal<Pick<Viewer, 'avatar' | 'targets' | 'areas' | 'move'> | null>
+  viewer: ReadonlySignal<Pick<Viewer, 'avatar' | 'targets' | 'areas' | 'skeleton' | 'move'> | null>
   /** Called before scores move the face, to stop other motion. */
   begin(): void
   /** Whether something else determines the pose now. Scores then have no effect. */

@@ -1,5 +1,6 @@
 import { driversOf, type Expression, type WrinkleDriver } from 'furrow'
 import { canonicalTargetName, explain } from 'furrow/internal'
+import type { JointRotations } from './skeleton-pose.ts'
 
 /** Minimum activation at which a pose counts as showing an area. */
 const MIN_VISIBLE = 0.2
@@ -10,6 +11,8 @@ export interface Performance {
   readonly targets: ReadonlyMap<string, number>
   /** Activations of areas that an expression sets directly. */
   readonly activations: ReadonlyMap<string, number>
+  /** Rotations of joints that fold the area. Other joints stay as they are. */
+  readonly joints?: JointRotations
 }
 
 /** Returns the pose of a single blendshape. */

@@ -5,6 +5,7 @@ import type { Hovered } from '../hovered.ts'
 import type { Viewer } from '../viewer.ts'
 import { poseOfTarget } from './performance.ts'
 import { type Numbers, type Pose, poseOf, writePose } from './pose.ts'
+import { interpolateRotations } from './skeleton-pose.ts'
 
 /** Time that the pointer must stay on a control before the preview starts, milliseconds. */
 const DELAY = 150
@@ -66,6 +67,7 @@ export class Performer {
     writePose(viewer, {
       targets: between(from.targets, to.targets, eased),
       areas: between(from.areas, to.areas, eased),
+      joints: interpolateRotations(from.joints, to.joints, eased),
     })
     if (t === 1) {
       this.#transition = null
@@ -85,7 +87,8 @@ export class Performer {
     this.#before ??= poseOf(viewer)
     this.#parts.isSideLit.value = true
     const targets = new Map(viewer.targets.map(({ name }) => [name, performance.targets.get(name) ?? 0]))
-    this.#moveTo(viewer, { targets, areas: performance.activations }, false)
+    const joints = new Map([...this.#before.joints, ...(performance.joints ?? [])])
+    this.#moveTo(viewer, { targets, areas: performance.activations, joints }, false)
   }
 
   #relax(): void {

@@ -1,21 +1,29 @@
 import type { Viewer } from '../viewer.ts'
 import type { Dial } from './dials.ts'
+import type { JointRotations } from './skeleton-pose.ts'
 
 /** Values of dials. The keys are the names of the dials. */
 export type Numbers = ReadonlyMap<string, number>
 
-/** Weights of all blendshapes and activations of all areas. */
+/** Weights of all blendshapes, activations of all areas, and rotations of all joints. */
 export interface Pose {
   targets: Numbers
   areas: Numbers
+  joints: JointRotations
 }
 
-export function poseOf({ targets, areas }: Pick<Viewer, 'targets' | 'areas'>): Pose {
-  return { targets: numbersOf(targets), areas: numbersOf(areas) }
+type Posed = Pick<Viewer, 'targets' | 'areas' | 'skeleton' | 'move'>
+
+export function poseOf({ targets, areas, skeleton }: Posed): Pose {
+  return { targets: numbersOf(targets), areas: numbersOf(areas), joints: skeleton.read() }
 }
 
-/** Sets the face to a pose. Sets blendshapes first, because they change driven areas. */
-export function writePose({ targets, areas }: Pick<Viewer, 'targets' | 'areas'>, pose: Pose): void {
+/** Sets the face to a pose. Sets joints and blendshapes first, because they change driven areas. */
+export function writePose(viewer: Posed, pose: Pose): void {
+  const { targets, areas, skeleton } = viewer
+  const now = skeleton.read()
+  if ([...pose.joints].some(([name, rotation]) => !now.get(name)?.equals(rotation)))
+    viewer.move(() => skeleton.write(pose.joints))
   writeAll(targets, pose.targets)
   writeAll(areas, pose.areas)
 }
