@@ -6,9 +6,9 @@ export const BRUSH = {
   softness: 'Softness',
 } as const
 
-/** Returns the hint that strokes change the selected region. */
-export function intoRegion(region: string): string {
-  return `Strokes change “${region}”. Press Whole face to begin another region.`
+/** Returns the hint that strokes change the selected region. @param whole label of the button that ends the selection. */
+export function intoRegion(region: string, whole: string): string {
+  return `Strokes change “${region}”. Press ${whole} to begin another region.`
 }
 
 /** Brush that paints regions. */

@@ -38,9 +38,9 @@ export const PLACES = {
   takes: 'Takes',
   animations: 'Animations of the file',
   brush: 'Brush',
-  wholeFace: 'Whole face',
   deselect: 'Deselect',
   newLine: 'New wrinkle',
+  lines: 'Lines',
   look: 'Look',
   when: 'When',
   maps: 'Maps',
@@ -112,4 +112,9 @@ export function moreLabel(count: number): string {
 /** Returns the tooltip of a button for undo or redo: `Undo: Depth`. @param step step that the button reverts or repeats. */
 export function historyLabel(command: string, step: string | undefined): string {
   return step ? `${command}: ${step}` : command
+}
+
+/** Returns the label for no selection, which means all wrinkles of the surface. @param isFace whether blendshapes move the surface. */
+export function wholeLabel(isFace: boolean): string {
+  return isFace ? 'Whole face' : 'All regions'
 }

@@ -21,19 +21,22 @@ export function AutomaticWrinkles({ model }: { model: PanelModel }) {
   const settings = auto.value
   // Regions and the symmetry of both sides belong to faces.
   const hasShapes = (source.value?.skin.targets.length ?? 0) > 0
-  if (!source.value || !autoSource(source.value, settings)) return <SurfaceChoice model={model} />
+  const made = source.value && autoSource(source.value, settings)
+  if (!made) return <SurfaceChoice model={model} />
   const make = (change: Partial<AutoSettings>) => actions.makeAuto({ ...settings, ...change })
   const preview = (change: Partial<AutoSettings>) => actions.previewAuto({ ...settings, ...change })
   return (
     <div class="settings-group">
       <SurfaceChoice model={model} />
-      <NumberSlider
-        label={AUTOMATIC.age}
-        range={[...AUTO_AGES, 1]}
-        value={settings.age ?? AUTO_DEFAULTS.age}
-        onMove={(age) => preview({ age })}
-        onRest={(age) => make({ age })}
-      />
+      {made.options.cloth === undefined && (
+        <NumberSlider
+          label={AUTOMATIC.age}
+          range={[...AUTO_AGES, 1]}
+          value={settings.age ?? AUTO_DEFAULTS.age}
+          onMove={(age) => preview({ age })}
+          onRest={(age) => make({ age })}
+        />
+      )}
       <NumberSlider
         label={AUTOMATIC.strength}
         range={[...AUTO_STRENGTHS, 0.05]}

@@ -20,7 +20,7 @@ import { Shapes } from '../panels/shapes/shapes.tsx'
 import { Tabs } from '../ui/tabs.tsx'
 import { SelectionCard } from './cards.tsx'
 import { CannotWrinkle } from './no-shapes.tsx'
-import { type Selected, selectedIn } from './selected.ts'
+import { type Selected, selectedIn, wholeOf } from './selected.ts'
 import { isSmallPage } from './small-page.ts'
 import { WhenQuestion } from './when-question.tsx'
 
@@ -72,7 +72,7 @@ function Brush({ model }: { model: PanelModel }) {
   const noRegion = isSculpting ? SCULPT.noRegion : PAINT.noRegion
   return (
     <>
-      <p class="hint">{region ? intoRegion(regionLabel(region.name)) : noRegion}</p>
+      <p class="hint">{region ? intoRegion(regionLabel(region.name), wholeOf(model)) : noRegion}</p>
       {isSculpting ? <SculptSettings model={model} /> : <BrushSettings model={model} />}
       {added.length > 0 && (
         <section>
@@ -88,16 +88,16 @@ interface PartProps {
   model: PanelModel
 }
 
-/** Name of the selection, and a button that selects the whole face again. */
-function Heading({ selected: { kind, label, fileName }, model: { actions } }: PartProps) {
+/** Name of the selection, and a button that ends the selection. */
+function Heading({ selected: { kind, label, fileName }, model }: PartProps) {
   return (
     <div class="selected">
       <h2>
         {label} {fileName && <small>{fileName}</small>}
       </h2>
       {(kind === 'region' || kind === 'line') && (
-        <button type="button" class="quiet" onClick={() => actions.selectRegion(null)}>
-          {PLACES.wholeFace}
+        <button type="button" class="quiet" onClick={() => model.actions.selectRegion(null)}>
+          {wholeOf(model)}
         </button>
       )}
     </div>
@@ -145,14 +145,15 @@ function NoWrinkles() {
 }
 
 /** Shown while the wrinkles are those of the avatar's file, which users cannot edit. */
-function FromFile({ model: { viewer, isBeginning, actions } }: { model: PanelModel }) {
+function FromFile({ model }: { model: PanelModel }) {
+  const { viewer, isBeginning, actions } = model
   if (isBeginning.value) return <p class="hint">{INSPECTOR.making}</p>
   const { avatar, wrinkles } = viewer.value!
   const skin = avatar.skins[avatar.skin]
   if (!wrinkles && skin.problem !== null) return <CannotWrinkle skin={skin} />
   if (!wrinkles) return <p class="hint">{INSPECTOR.noWrinkles}</p>
   return (
-    <Section title={PLACES.wholeFace}>
+    <Section title={wholeOf(model)}>
       <p class="hint">{INSPECTOR.fromFile}</p>
       <button type="button" class="main" onClick={actions.editWrinkles}>
         {FILE.edit}

@@ -1,12 +1,12 @@
 import type { StudioArea } from '../document/document.ts'
 import { lineLabel, linesLabel } from '../labels/lines.ts'
 import { regionLabel } from '../labels/names.ts'
-import { PLACES } from '../labels/page.ts'
+import { PLACES, wholeLabel } from '../labels/page.ts'
 import type { PanelModel } from '../panels/model.ts'
 
 /** Selection that the inspector shows. */
 export interface Selected {
-  readonly kind: 'face' | 'region' | 'line' | 'new line'
+  readonly kind: 'whole' | 'region' | 'line' | 'new line'
   readonly label: string
   /** Name in the file, beside the label. */
   readonly fileName?: string
@@ -18,7 +18,8 @@ export interface Selected {
 }
 
 /** Returns the selection. A line has precedence over a region. */
-export function selectedIn({ lines, areas, tools }: PanelModel): Selected {
+export function selectedIn(model: PanelModel): Selected {
+  const { lines, areas, tools } = model
   const line = lines.chosen.value
   if (line) {
     const { group, layer } = line
@@ -34,5 +35,11 @@ export function selectedIn({ lines, areas, tools }: PanelModel): Selected {
     const { name, layer } = area
     return { kind: 'region', label: regionLabel(name), fileName: name, area, layer }
   }
-  return { kind: 'face', label: tools.mode.value === 'lines' ? 'Lines' : PLACES.wholeFace }
+  return { kind: 'whole', label: tools.mode.value === 'lines' ? PLACES.lines : wholeOf(model) }
+}
+
+/** Returns the label for no selection. */
+export function wholeOf({ viewer }: Pick<PanelModel, 'viewer'>): string {
+  const { skins, skin } = viewer.value?.avatar ?? {}
+  return wholeLabel(skin !== undefined && skins![skin].blendshapes > 0)
 }
