@@ -1,20 +1,17 @@
-import type { SourceName } from '../live/settings.ts'
-import type { SourceStatus } from '../live/source.ts'
-
 /** Sources of live face scores. */
-export const SOURCES: Readonly<Record<SourceName, string>> = {
+export const SOURCES = {
   webcam: 'Webcam',
   phone: 'Phone or program',
   microphone: 'Microphone',
-}
+} as const
 
 /** How to use each source. */
-export const SOURCE_HINTS: Readonly<Record<SourceName, string>> = {
+export const SOURCE_HINTS = {
   webcam:
     'Start downloads MediaPipe and its model (more than 10 MB). Pictures of the camera never leave this page.',
   phone: 'Run npx furrow live on this computer, and paste the address that it prints.',
   microphone: 'The loudness of your voice opens the mouth. Sound never leaves this page.',
-}
+} as const
 
 /** Live section of the mode Motion. */
 export const LIVE = {
@@ -46,7 +43,7 @@ export const LIVE = {
 } as const
 
 /** State of a source. The label of `connected` is `connectedLabel`. */
-export const STATUS: Readonly<Record<Exclude<SourceStatus, 'connected'>, string>> = {
+export const STATUS = {
   starting: 'Starting. Allow access if the browser asks.',
   connecting: 'Connecting.',
   noAnswer:
@@ -54,7 +51,7 @@ export const STATUS: Readonly<Record<Exclude<SourceStatus, 'connected'>, string>
   noScores: 'Connected, but no scores arrive. Start the app, and enter the address of this computer in it.',
   noFace: 'No face is visible. Move into the picture, towards the light.',
   lost: 'Connection lost. Trying again.',
-}
+} as const
 
 /** Names of senders, by the name in `furrow live`. */
 const SENDERS: Readonly<Record<string, string>> = {

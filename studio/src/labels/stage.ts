@@ -1,6 +1,4 @@
-import type { WrinkleMode } from 'furrow/three'
-import type { Look } from '../viewer/looks/look.ts'
-import { expressionLabel, regionLabel } from './names.ts'
+import { expressionLabel } from './names.ts'
 
 export const VIEW = {
   show: 'Show',
@@ -70,13 +68,4 @@ export function inExpression(name: string | null): string {
 export function lightLabel(yaw: number, pitch: number): string {
   const across = `${Math.abs(yaw)}° from the ${yaw < 0 ? 'left' : 'right'}`
   return `${across}, ${Math.abs(pitch)}° from ${pitch < 0 ? 'below' : 'above'}`
-}
-
-/** Returns the label of the side of the divider that shows wrinkles. */
-export function lookLabel(look: Look, mode: WrinkleMode): string {
-  if (look.name === 'influence')
-    return look.area === undefined ? VIEW.influence : [look.area].flat().map(regionLabel).join(', ')
-  if (look.name === 'wireframe' || look.name === 'strain') return VIEW[look.name]
-  if (look.name === 'onset') return look.layer === undefined ? VIEW.onset : `${VIEW.onsetOf} ${look.layer}`
-  return mode === 'off' ? VIEW.without : VIEW.with
 }
