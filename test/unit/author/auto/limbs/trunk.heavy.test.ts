@@ -24,7 +24,7 @@ it('the cloth of a trunk folds in five directions', () => {
   )
   for (const { name, lines, error, compression } of made.jointAreas) {
     expect(lines, name).toBeGreaterThan(3)
-    expect(error, name).toBeLessThan(0.25)
+    expect(error, name).toBeLessThan(0.3)
     expect(compression, name).toBeGreaterThan(0.08)
   }
 })

@@ -44,6 +44,10 @@ export interface ClothTube {
   lean: number
   /** Compression at which the cloth buckles. */
   critical: number
+  /** Standard deviation of the logarithm of a fold's share of the compression. */
+  unevenness: number
+  /** Standard deviation of the random change of weights of 0.5. Weights of 0 and 1 stay the same. */
+  ragged: number
   seed: number
 }
 
@@ -75,8 +79,10 @@ const TAKEN_UP = 0.15
 const VARIATION = { wavelength: 0.26, critical: 0.45, size: 1.5 } as const
 /** Size of the random turns of the compression, in wavelengths. Folds lean, meet and fork. */
 const LEAN_SIZE = 1.2
-/** Standard deviation of the logarithm of a fold's share of the compression, and size of the variation in wavelengths. */
-const SHARE = { deviation: 0.75, size: 1.1 } as const
+/** Size of the variation of shares of the compression, in wavelengths. */
+const SHARE_SIZE = 1.1
+/** Size of the random changes of weights, in wavelengths. */
+const RAGGED_SIZE = 0.9
 /** Standard deviation, in wavelengths, of the Gaussian that compares taken up and lost length. */
 const LOCAL = 0.45
 /** Limit of the factor on the heights that corrects the length. */
@@ -99,10 +105,11 @@ export function buckleCloth(
   const chart = placedChart(surface, tubeTriangles(surface, weights, placeAt, Math.PI * radius), placeAt)
   if (!chart) return undefined
   const samples = sampleChart(chart, lambda / tube.samples, MARGIN * lambda)
-  const weight = sampleValues(
+  const smooth = sampleValues(
     samples,
     Array.from(chart.points, (point) => weights[point]),
   )
+  const weight = raggedWeights(samples, smooth, tube)
   // Unit axes, because the radius of the tube varies.
   const axes = chartAxes(chart)
   for (let i = 0; i < axes.length; i += 3) normalize(axes, i)
@@ -125,6 +132,16 @@ export function buckleCloth(
     shown: fieldSmoother(samples.grid, 0.2 * lambda)(shown),
     wavelength,
   }
+}
+
+/** Changes weights at random where they fade, so that folds do not all end at one border. */
+function raggedWeights(samples: ChartSamples, weights: Float64Array, tube: ClothTube): Float64Array {
+  const noise = filmNoise(tube.seed + 53)
+  return weights.map((weight, i) => {
+    if (!(weight > 0 && weight < 1)) return weight
+    const vary = noise(...flatPosition(samples, i), RAGGED_SIZE * tube.wavelength, 6)
+    return clamp(weight + 4 * weight * (1 - weight) * tube.ragged * vary, 0, 1)
+  })
 }
 
 /** Returns the triangles of a tube on which the cloth may fold, without those that cross the border of the chart. */
@@ -218,7 +235,7 @@ function correctLength(
   samples: ChartSamples,
   heights: Float64Array,
   { across: [ax, ay], wanted }: Pick<BuckledCloth, 'across' | 'wanted'>,
-  { wavelength: lambda, seed }: ClothTube,
+  { wavelength: lambda, unevenness, seed }: ClothTube,
 ): void {
   const { grid } = samples
   const { width, height, spacing } = grid
@@ -234,8 +251,8 @@ function correctLength(
       const slope =
         (ax[i] * (heights[right] - heights[left]) + ay[i] * (heights[below] - heights[above])) / (2 * spacing)
       taken[i] = 0.5 * slope * slope
-      const vary = noise(...flatPosition(samples, i), SHARE.size * lambda, 5)
-      shares[i] = wanted[i] * exp(SHARE.deviation * vary - SHARE.deviation ** 2 / 2)
+      const vary = noise(...flatPosition(samples, i), SHARE_SIZE * lambda, 5)
+      shares[i] = wanted[i] * exp(unevenness * vary - unevenness ** 2 / 2)
     }
   }
   const [got, want, whole] = [local(taken), local(shares), local(wanted)]

@@ -36,6 +36,8 @@ const SAMPLES = 9
 const LEAN = 0.34
 /** Compression at which the cloth buckles. */
 const CRITICAL = 0.06
+/** Standard deviation of the logarithm of a fold's share of the compression. */
+const UNEVENNESS = 0.75
 /** Share of a limb's own joints from which on cloth begins to belong to the limb. */
 const FROM = 0.35
 /** Maximum angle around the limb without cloth, in radians. A skirt covers only the outer side of each leg. */
@@ -97,6 +99,8 @@ function regionOf(
     directed: DIRECTED,
     lean: LEAN,
     critical: CRITICAL,
+    unevenness: UNEVENNESS,
+    ragged: 0,
     fan: (angle: number, along: number) =>
       (-FAN * (along / radius) * smoothstep((Math.PI - Math.abs(angle)) / 0.8) * clamp(angle / 0.2, -1, 1)) /
       (1 + FAN * Math.abs(angle)),

@@ -66,20 +66,29 @@ const FOLDS: readonly TrunkFold[] = [
   ),
 ]
 
+/**
+ * Radius of a tube in millimetres, of a sleeve, whose folds have the wavelength of the cloth. Shells of equal thickness buckle with a wavelength
+ * proportional to the square root of the radius (Timoshenko and Gere 1961, Theory of Elastic Stability, 11.1).
+ */
+const SLEEVE = 50
 /** Minimum length of a fold in wavelengths. Short ones on the flat belly would look like dents. */
-const SHORTEST = 2
+const SHORTEST = 1.6
 /** Number of samples of the cloth per wavelength. A trunk is so large that more would take seconds. */
 const SAMPLES = 7
 /** Standard deviation of the random turn of the compression, as a slope. */
-const LEAN = 0.18
+const LEAN = 0.3
 /** Compression at which the cloth buckles. Around a trunk, cloth has less slack than around an elbow. */
 const CRITICAL = 0.03
+/** Standard deviation of the logarithm of a fold's share of the compression. A few folds around a trunk are much deeper than the others. */
+const UNEVENNESS = 1.1
 /** Heights over which the folds end below and above, as fractions of the trunk. */
-const FADE = 0.2
+const FADE = 0.35
+/** Random change of the weight of the compression where it fades. Folds that ended at one height would show a seam. */
+const RAGGED = 0.5
 /** Share of the trunk's own joints at which folds begin, and at which they are complete. Shoulders and hips have none. */
 const OWN = [0.45, 0.8] as const
-/** Length over which a joint of the spine bends the cloth, as a fraction of the trunk. */
-const BEND = 0.5
+/** Length over which the spine bends the cloth, as a fraction of the trunk. */
+const BEND = 1.2
 /** Smoothing of the compression in radii, as `RegionPlan.looseness`. */
 const LOOSENESS = 0.3
 /** Fraction of the full angle that the slack of the cloth takes up. */
@@ -105,14 +114,12 @@ export function trunkRegions(
   if (!section) return []
   const { radius, around } = section
   const hem = hemMask(surface)
-  const { wavelength } = CLOTHS[cloth]
+  const wavelength = CLOTHS[cloth].wavelength * Math.sqrt(radius / SLEEVE)
   const joints = chain.slice(-TENSOR_SIZE)
   // Cloth twists about the middle of the trunk, although the spine is nearer to the back.
   const centres = joints.map(() => section.middle)
-  const starts = joints.map((joint) => dot(subtract(places[joint], places[base]), up))
-  // Skin weights differ between front, sides and back. Cloth is taut around the trunk, so each height turns as a whole.
-  const moved = (k: number, point: number) =>
-    smoothstep((around[point].along - starts[k]) / (BEND * tall) + 0.5)
+  // Skin weights differ between front, sides and back. Cloth is taut around the trunk, so each height turns as a whole, whichever joint bends.
+  const moved = (_: number, point: number) => smoothstep((around[point].along / tall - 0.5) / BEND + 0.5)
   return FOLDS.map((fold): RegionPlan => {
     const [x, y, z] = fold.axis
     const axis = unit(add(add(scale(left, x), scale(up, y)), scale(front, z)))
@@ -142,6 +149,8 @@ export function trunkRegions(
       directed: fold.directed,
       lean: LEAN,
       critical: CRITICAL,
+      unevenness: UNEVENNESS,
+      ragged: RAGGED,
       seed: new Rng(seed, `trunk ${fold.name}`).integer(),
     }
     return {

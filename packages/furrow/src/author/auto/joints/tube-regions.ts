@@ -108,6 +108,8 @@ export function clothTubes(limb: LimbSkin, cloth: ClothKind, { seed, strength }:
         directed: 0.55,
         lean: 0.3,
         critical: 0.06,
+        unevenness: 0.75,
+        ragged: 0,
         seed: new Rng(seed, `tube ${name}`).integer(),
       }
       return {
