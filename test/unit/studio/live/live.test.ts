@@ -6,6 +6,7 @@ import { Live } from '../../../../studio/src/live/live.ts'
 import type { SourceEvents } from '../../../../studio/src/live/source.ts'
 import { targetDials } from '../../../../studio/src/viewer/pose/dials.ts'
 import { LivePose } from '../../../../studio/src/viewer/pose/live-pose.ts'
+import { SkeletonPose } from '../../../../studio/src/viewer/pose/skeleton-pose.ts'
 import { blendMesh } from '../../../blend-mesh.ts'
 
 let mesh: Mesh
@@ -34,6 +35,7 @@ beforeEach(async () => {
     avatar: { root },
     targets: targetDials(root),
     areas: [],
+    skeleton: new SkeletonPose(root, new Map()),
     move: (change: () => void) => change(),
   }
   ;[takes, errors, log, isHeld, time, failure] = [[], [], [], false, 0, null]
