@@ -17,7 +17,7 @@ const AGE = 45
  * Largest angle between the shading of the mesh and of a smooth surface, degrees, by number of vertices. A line looks broken if `BREAK` or more
  * consecutive points, 0.5 mm apart, exceed the angle. With 1500 vertices, one triangle covers the last 9 mm of the fold, and a smile turns it.
  */
-const TURNS = { 1500: 34, 2500: 19, 5000: 19 } as const
+const TURNS = { 1500: 45, 2500: 19, 5000: 19 } as const
 const BREAK = 4
 /** Length of a normal's (x, y) below which rounding to bytes can turn the direction of (x, y) by 19 degrees. */
 const UNSEEN = 3 / 127.5
