@@ -1,8 +1,9 @@
 import type { GrayImage } from '../../../core/types.ts'
 import type { BoneDriver } from '../../../drivers/bone/definition.ts'
+import { atan2, cos, sin } from '../../../math/elementary.ts'
 import { clamp } from '../../../math/scalar.ts'
 import { triangleNormal } from '../../../math/triangle.ts'
-import { dot } from '../../../math/vector.ts'
+import { dot, length, length2 } from '../../../math/vector.ts'
 import type { SkinJoint } from '../../skin/skeleton.ts'
 import type { Skin } from '../../skin/surface.ts'
 
@@ -48,8 +49,8 @@ export function poseOfDriver(
   )
   const half = angle / chain.length / 2
   const rotations = chain.map((turned): [string, JointRotation] => {
-    const [x, y, z] = [0, 1, 2].map((i) => dot(columnOf(turned, i), world) * Math.sin(half))
-    return [turned.name, [x, y, z, Math.cos(half)]]
+    const [x, y, z] = [0, 1, 2].map((i) => dot(columnOf(turned, i), world) * sin(half))
+    return [turned.name, [x, y, z, cos(half)]]
   })
   return { joints: Object.fromEntries(rotations), joint, angle }
 }
@@ -67,8 +68,8 @@ function chainBelow(joints: readonly SkinJoint[], from: string, last: number): S
 /** Returns a unit vector along an axis of a joint in the bind pose. */
 function columnOf({ bind }: SkinJoint, k: number): number[] {
   const column = [bind[4 * k], bind[4 * k + 1], bind[4 * k + 2]]
-  const length = Math.hypot(...column) || 1
-  return column.map((value) => value / length)
+  const size = length(column) || 1
+  return column.map((value) => value / size)
 }
 
 type Point = [x: number, y: number, z: number]
@@ -103,7 +104,7 @@ export function placeOfArea(
     const weight = x < 0 || y < 0 || x >= width || y >= height ? 0 : data[y * width + x]
     if (!(weight > 0)) continue
     triangleNormal(cross, positions, i, j, k)
-    const share = (weight * Math.hypot(cross[0], cross[1], cross[2])) / 2
+    const share = (weight * length(cross)) / 2
     for (let axis = 0; axis < 3; axis++) {
       const centre = (positions[3 * i + axis] + positions[3 * j + axis] + positions[3 * k + axis]) / 3
       sum[axis] += share * centre
@@ -114,9 +115,9 @@ export function placeOfArea(
   }
   if (!(total > 0)) return undefined
   const middle: Point = [sum[0] / total, sum[1] / total, sum[2] / total]
-  const length = Math.hypot(normals[0], normals[1], normals[2])
+  const size = length(normals)
   const normal: Point =
-    length > CLEAR * total ? [normals[0] / length, normals[1] / length, normals[2] / length] : [0, 0, 1]
+    size > CLEAR * total ? [normals[0] / size, normals[1] / size, normals[2] / size] : [0, 0, 1]
   return { middle, normal, size: Math.sqrt(Math.max(0, squares / total - dot(middle, middle))) }
 }
 
@@ -142,8 +143,8 @@ const DEGREE = Math.PI / 180
 
 /** Returns a view that shows an area while joints fold it. */
 export function viewOfPlace({ middle, normal, size }: AreaPlace): AreaView {
-  const pitch = Math.asin(clamp(normal[1], -1, 1)) / DEGREE
-  const yaw = Math.atan2(normal[0], normal[2]) / DEGREE
+  const pitch = atan2(normal[1], length2(normal[0], normal[2])) / DEGREE
+  const yaw = atan2(normal[0], normal[2]) / DEGREE
   return {
     yaw: yaw > 0 ? yaw - ASIDE : yaw + ASIDE,
     pitch: clamp(pitch, -MAX_PITCH, MAX_PITCH),
