@@ -73,7 +73,7 @@ const LAZY_CHUNKS: typeof CHUNKS = [
   ['relief-webgl', /^three\/webgl\/relief\//],
   ['relief-webgpu', /^three\/webgpu\/relief\//],
   ['relief', /(^|\/)relief\//],
-  ['auto-worker', /^auto\//],
+  ['auto-worker', /^auto\/start-worker\./],
 ]
 
 interface Graph {
