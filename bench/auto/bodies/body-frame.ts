@@ -1,4 +1,4 @@
-import { findBody } from 'furrow/internal'
+import { findWholeBody } from 'furrow/internal'
 import { readDocument } from 'furrow-files/node'
 import { Quaternion, Vector3 } from 'three'
 import type { JointRotation } from '../../../packages/cli/src/render/picture.ts'
@@ -24,9 +24,7 @@ export interface BodyFrame extends Body {
 export async function bodyFrame(path: string): Promise<BodyFrame> {
   const surfaces = allSurfaces(await readDocument(path, 'sheets'))
   const { joints = [] } = surfaces.find(({ skin }) => skin.skeleton)?.skin.skeleton ?? {}
-  // A mesh such as trousers needs only some of the joints. A frame has all of them.
-  const indices = [...joints.keys()]
-  const body = findBody({ joints, influences: 1, indices, weights: indices.map(() => 1) })
+  const body = findWholeBody(joints)
   const { hands, limbs, neck, trunk } = body
   if (hands.length !== 2 || limbs.length !== 4 || !neck || !trunk)
     throw new Error(`sheets: no complete humanoid was found, got ${path}`)

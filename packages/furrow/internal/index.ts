@@ -16,6 +16,7 @@ export {
   foldsLimb,
   isFoldedAs,
   kindNote,
+  kindOfFace,
 } from '../src/author/auto/character/choose-surfaces.ts'
 export { judgeKind, type MaterialJson, type SurfaceNames } from '../src/author/auto/character/judge-kind.ts'
 export { CHARACTER_LIMITS, CharacterBudget } from '../src/author/auto/character/limits.ts'
@@ -36,7 +37,7 @@ export {
 export { type AreaLineSettings, layAreaLines } from '../src/author/auto/lines/area-lines.ts'
 export { regionStrength } from '../src/author/auto/lines/region-strengths.ts'
 export { halfSide, heightLevels } from '../src/author/auto/raster/half-side.ts'
-export { findBody } from '../src/author/auto/skeleton/body.ts'
+export { findBody, findWholeBody } from '../src/author/auto/skeleton/body.ts'
 export { boneNameOf } from '../src/author/auto/skeleton/bone-names.ts'
 export { type LimbJoints, limbsOf } from '../src/author/auto/skeleton/limbs-of.ts'
 export { type StrainMap, strainMaps } from '../src/author/auto/strain-map.ts'

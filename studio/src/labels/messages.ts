@@ -54,7 +54,12 @@ export function removedRegionLabel(region: string): string {
   return `Removed the region ${regionLabel(region)}`
 }
 
-/** Returns the note about a copied link. @param isCopied false if the browser refused, @param opensAvatar whether the link contains the avatar's address. */
+/**
+ * Returns the note about a copied link.
+ *
+ * @param isCopied whether the browser has copied it.
+ * @param opensAvatar whether the link contains the avatar's address.
+ */
 export function linkNote(isCopied: boolean, opensAvatar: boolean): string {
   const contents = opensAvatar ? 'it opens this avatar' : 'the avatar itself is not in it'
   return isCopied ? `Copied the link: ${contents}` : `The link is in the address of this page: ${contents}`

@@ -15,13 +15,13 @@ export class LineFields {
   readonly group = signal('')
   /** Layer of new lines. If empty, each line gets the layer of its area. */
   readonly layer = signal('')
+  /** Whether changes apply to new lines. */
+  readonly isNew: ReadonlySignal<boolean>
   readonly #edits: LineEdits
-  readonly #isNew: ReadonlySignal<boolean>
 
-  /** @param isNew whether changes apply to new lines. */
   constructor(edits: LineEdits, isNew: ReadonlySignal<boolean>) {
     this.#edits = edits
-    this.#isNew = isNew
+    this.isNew = isNew
   }
 
   /** Fields of a new line. */
@@ -32,7 +32,7 @@ export class LineFields {
 
   /** Sets the shape of the chosen lines, or of new lines. Changes of a field until `LineEditor.settle` are one undo step. */
   setShape(fields: Partial<LineShape>): void {
-    if (this.#isNew.peek()) {
+    if (this.isNew.peek()) {
       this.shape.value = { ...this.shape.peek(), ...fields }
       return
     }
@@ -52,7 +52,7 @@ export class LineFields {
 
   /** Sets the group of the chosen lines, or of new lines. Adds an area with this name if there is none. */
   setGroup(group: string): void {
-    if (this.#isNew.peek()) {
+    if (this.isNew.peek()) {
       this.group.value = group
       return
     }
@@ -73,7 +73,7 @@ export class LineFields {
 
   /** Sets the layer of the chosen lines, or of new lines. */
   setLayer(layer: string): void {
-    if (this.#isNew.peek()) {
+    if (this.isNew.peek()) {
       this.layer.value = layer
       return
     }

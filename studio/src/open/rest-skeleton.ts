@@ -1,4 +1,4 @@
-import type { Skin, SkinJoint } from 'furrow/author'
+import type { SkinJoint } from 'furrow/author'
 import { skinJoints } from 'furrow/internal'
 import { readBoundSkin } from 'furrow/internal/three'
 import type { Mesh, Object3D } from 'three'
@@ -25,9 +25,4 @@ export function jointReader(
     const bound = readBoundSkin(parser, mesh)
     return bound && skinJoints(parser.json, bound.skin, bound.binds, rotations)
   }
-}
-
-/** Returns a skin that no joints move. */
-export function withoutSkeleton({ skeleton: _, ...skin }: Skin): Skin {
-  return skin
 }

@@ -2,16 +2,15 @@ import type { ClothKind, Skin } from 'furrow/author'
 import {
   chooseSkin,
   clothOf,
-  FACE_MOVERS,
   isFoldedAs,
   judgeKind,
+  kindOfFace,
   limbsOf,
   type MaterialJson,
   type SurfaceKind,
   type SurfaceNames,
 } from 'furrow/internal'
 import type { AutoSettings } from '../document/document.ts'
-import { withoutSkeleton } from './rest-skeleton.ts'
 
 /** How a skin folds, as `furrow auto` judges it. */
 export interface JudgedSurface {
@@ -36,17 +35,12 @@ export interface JudgedSkin {
   readonly limbs: readonly string[]
 }
 
-/** Judges a skin. A surface with brows, lids and a mouth is skin unless its name denies it. */
+/** Judges a skin. If names and material do not tell its kind, its blendshapes do. */
 export function judgedSkin(skin: Skin, surface: JudgedSurface, label: string): JudgedSkin {
   const limbs = limbsOf(skin).map(({ limb }) => limb)
-  const isFace = surface.kind === undefined && limbs.length > 0 && hasFace(skin, label)
-  return { skin, limbs, surface: isFace ? { ...surface, kind: 'skin' } : surface }
-}
-
-function hasFace(skin: Skin, label: string): boolean {
-  if (skin.targets.length === 0) return false
-  const { fraction, movers } = chooseSkin([{ skin, isLit: true, label }])!
-  return fraction > 0 && movers === FACE_MOVERS
+  if (surface.kind || limbs.length === 0 || skin.targets.length === 0) return { skin, limbs, surface }
+  const kind = kindOfFace(chooseSkin([{ skin, isLit: true, label }]))
+  return { skin, limbs, surface: { ...surface, kind } }
 }
 
 /** Skin from which automatic wrinkles are made, with the options for its surface. */
@@ -70,5 +64,7 @@ export function autoSource(
   if (isFolded && kind === 'cloth')
     return { skin, options: { cloth: cloth ?? surface.cloth, tubes: isStated } }
   if (isFolded) return { skin, options: { tubes: isStated } }
-  return skin.targets.length > 0 ? { skin: withoutSkeleton(skin), options: { tubes: false } } : null
+  return skin.targets.length > 0
+    ? { skin: { ...skin, skeleton: undefined }, options: { tubes: false } }
+    : null
 }

@@ -1,5 +1,5 @@
 import type { SkinJoint } from 'furrow/author'
-import { findBody } from 'furrow/internal'
+import { findWholeBody } from 'furrow/internal'
 import { facesOf } from 'furrow/internal/three'
 import { Quaternion, Vector3 } from 'three'
 import type { GLTF } from 'three/addons/loaders/GLTFLoader.js'
@@ -35,10 +35,7 @@ export function clearUp(signs: readonly Vector3[]): Vector3 | undefined {
 
 /** Returns directions that point upwards in a standing person: along the trunk, the neck, and each leg from the knee to the hip. */
 export function signsOfUp(joints: readonly SkinJoint[]): Vector3[] {
-  // Meshes such as shirts follow some of the joints only, but all joints tell which way is up.
-  const indices = joints.map((_, i) => i)
-  const weights = joints.map(() => 1)
-  const { neck, limbs, trunk } = findBody({ joints, influences: 1, indices, weights })
+  const { neck, limbs, trunk } = findWholeBody(joints)
   const legs = limbs.filter(({ kind }) => kind === 'knee').map(({ hinge, start }) => [hinge, start])
   const chains = [neck, trunk].flatMap((found) => (found ? [[found.base, found.chain.at(-1)!]] : []))
   const placeOf = (joint: number) => {

@@ -24,35 +24,25 @@ export function AutomaticWrinkles({ model }: { model: PanelModel }) {
   const made = source.value && autoSource(source.value, settings)
   if (!made) return <SurfaceChoice model={model} />
   const make = (change: Partial<AutoSettings>) => actions.makeAuto({ ...settings, ...change })
-  const preview = (change: Partial<AutoSettings>) => actions.previewAuto({ ...settings, ...change })
+  const slider = (
+    name: 'age' | 'strength' | 'symmetry',
+    [low, high]: readonly [low: number, high: number],
+    step: number,
+  ) => (
+    <NumberSlider
+      label={AUTOMATIC[name]}
+      range={[low, high, step]}
+      value={settings[name] ?? AUTO_DEFAULTS[name]}
+      onMove={(value) => actions.previewAuto({ ...settings, [name]: value })}
+      onRest={(value) => make({ [name]: value })}
+    />
+  )
   return (
     <div class="settings-group">
       <SurfaceChoice model={model} />
-      {made.options.cloth === undefined && (
-        <NumberSlider
-          label={AUTOMATIC.age}
-          range={[...AUTO_AGES, 1]}
-          value={settings.age ?? AUTO_DEFAULTS.age}
-          onMove={(age) => preview({ age })}
-          onRest={(age) => make({ age })}
-        />
-      )}
-      <NumberSlider
-        label={AUTOMATIC.strength}
-        range={[...AUTO_STRENGTHS, 0.05]}
-        value={settings.strength}
-        onMove={(strength) => preview({ strength })}
-        onRest={(strength) => make({ strength })}
-      />
-      {hasShapes && (
-        <NumberSlider
-          label={AUTOMATIC.symmetry}
-          range={[...AUTO_SYMMETRIES, 0.05]}
-          value={settings.symmetry ?? AUTO_DEFAULTS.symmetry}
-          onMove={(symmetry) => preview({ symmetry })}
-          onRest={(symmetry) => make({ symmetry })}
-        />
-      )}
+      {made.options.cloth === undefined && slider('age', AUTO_AGES, 1)}
+      {slider('strength', AUTO_STRENGTHS, 0.05)}
+      {hasShapes && slider('symmetry', AUTO_SYMMETRIES, 0.05)}
       <div class="settings">
         <div class="setting">
           <label for="map-size">{AUTOMATIC.size}</label>

@@ -11,7 +11,7 @@ import type { PanelModel } from './model.ts'
 /** Settings of the chosen wrinkle line, or of new lines. */
 export function Lines({ model }: { model: PanelModel }) {
   const { lines, session, actions } = model
-  const isNew = lines.mode.value === 'draw' && !lines.chosen.value
+  const isNew = lines.fields.isNew.value
   const chosen = lines.chosen.value
   const shape = isNew ? lines.fields.shape.value : chosen
   return (

@@ -1,9 +1,10 @@
 import { CLOTH_KINDS, type ClothKind } from 'furrow/author'
+import { SURFACE_KINDS } from 'furrow/internal'
 import { AUTOMATIC, CLOTHS, SURFACES } from '../labels/automatic.ts'
 import { Choice } from './controls/choice.tsx'
 import type { PanelModel } from './model.ts'
 
-const KINDS = (['skin', 'cloth', 'hard'] as const).map((value) => ({ value, ...SURFACES[value] }))
+const KINDS = SURFACE_KINDS.map((value) => ({ value, ...SURFACES[value] }))
 
 /** Kind of a surface that joints move, and the kind of cloth. Asks for the kind if nothing tells it. */
 export function SurfaceChoice({ model }: { model: PanelModel }) {

@@ -11,8 +11,8 @@ export interface AutoInWorkerOptions extends AutoRunOptions {
 }
 
 /**
- * Makes wrinkles from the blendshapes and joints of a skin by running `autoWrinkles` in a web worker. The page stays responsive. The result is the same as
- * without a worker, and is transferred to the page without copying.
+ * Makes wrinkles from the blendshapes and joints of a skin by running `autoWrinkles` in a web worker. The page stays responsive. The result
+ * is the same as without a worker, and is transferred to the page without copying.
  *
  * If the page has a Content-Security-Policy, it must allow `worker-src blob:`. three.js's decoders of KTX 2 and Draco also need this.
  *

@@ -67,8 +67,9 @@ function expand({ body }: Response): Promise<ArrayBuffer> {
 const ARRAYS = { Uint8Array, Uint16Array, Uint32Array, Float32Array, Float64Array }
 
 /**
- * Packs JSON data that may contain typed arrays into bytes. The bytes consist of the length of a JSON text, the JSON text, and the typed
- * arrays. Each part is padded to a multiple of 8 bytes. The bytes are a copy, so the caller may transfer the arrays. In the JSON text, `{ array: TYPE, length }` stands for a typed array.
+ * Packs JSON data that may contain typed arrays into bytes. The bytes are a copy, so the caller may transfer the arrays. They consist of the
+ * length of a JSON text, the JSON text, and the typed arrays. Each part is padded to a multiple of 8 bytes. In the JSON text,
+ * `{ array: TYPE, length }` stands for a typed array.
  */
 export function pack(data: unknown): Blob {
   const parts: BlobPart[] = []

@@ -33,7 +33,10 @@ export type AutoRequest = AutoJob & {
   lock?: string | undefined
 }
 
-/** A message from the worker. The order is `started`, any number of `progress` and `part`, `made`, `finished`. After an error, `failed` is the last. */
+/**
+ * A message from the worker. The order is `started`, any number of `progress` and `part`, `made`, `finished`. After an error, `failed` is the
+ * last.
+ */
 export type AutoReply =
   | { type: 'started'; lock?: string | undefined }
   | { type: 'progress'; done: number; total: number; step: string }

@@ -1,6 +1,6 @@
 import { driversOf, type Expression, type WrinkleDriver } from 'furrow'
 import { canonicalTargetName, explain } from 'furrow/internal'
-import type { JointRotations } from './skeleton-pose.ts'
+import type { JointRotations } from './interpolate.ts'
 
 /** Minimum activation at which a pose counts as showing an area. */
 const MIN_VISIBLE = 0.2

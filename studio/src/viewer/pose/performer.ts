@@ -3,9 +3,9 @@ import { smoothstep } from 'furrow/internal'
 import { reducedMotion } from '../../motion.ts'
 import type { Hovered } from '../hovered.ts'
 import type { Viewer } from '../viewer.ts'
+import { interpolateNumbers, interpolateRotations } from './interpolate.ts'
 import { poseOfTarget } from './performance.ts'
-import { type Numbers, type Pose, poseOf, writePose } from './pose.ts'
-import { interpolateRotations } from './skeleton-pose.ts'
+import { type Pose, poseOf, writePose } from './pose.ts'
 
 /** Time that the pointer must stay on a control before the preview starts, milliseconds. */
 const DELAY = 150
@@ -65,8 +65,8 @@ export class Performer {
     const t = Math.min(1, this.#transition.elapsed / TIME)
     const eased = smoothstep(t)
     writePose(viewer, {
-      targets: between(from.targets, to.targets, eased),
-      areas: between(from.areas, to.areas, eased),
+      targets: interpolateNumbers(from.targets, to.targets, eased),
+      areas: interpolateNumbers(from.areas, to.areas, eased),
       joints: interpolateRotations(from.joints, to.joints, eased),
     })
     if (t === 1) {
@@ -109,10 +109,4 @@ export class Performer {
     this.#transition = null
     this.#parts.isSideLit.value = false
   }
-}
-
-function between(from: Numbers, to: Numbers, t: number): Numbers {
-  return new Map(
-    [...to].map(([name, end]) => [name, t === 1 ? end : (from.get(name) ?? 0) * (1 - t) + end * t]),
-  )
 }

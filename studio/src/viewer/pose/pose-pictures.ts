@@ -24,7 +24,10 @@ export interface PosePicturesParts {
   isMoving(): boolean
 }
 
-/** Small pictures of the face with each of its expressions, and of each pose of its joints. Draws them while the page is idle, and again for other expressions. */
+/**
+ * Small pictures of the face with each of its expressions, and of each pose of its joints. Draws them while the page is idle, and again when
+ * there are other expressions or poses.
+ */
 export class PosePictures {
   readonly #parts: PosePicturesParts
   readonly #urls = signal<ReadonlyMap<string, string>>(new Map())

@@ -1,9 +1,6 @@
 import type { Viewer } from '../viewer.ts'
 import type { Dial } from './dials.ts'
-import type { JointRotations } from './skeleton-pose.ts'
-
-/** Values of dials. The keys are the names of the dials. */
-export type Numbers = ReadonlyMap<string, number>
+import type { JointRotations, Numbers } from './interpolate.ts'
 
 /** Weights of all blendshapes, activations of all areas, and rotations of all joints. */
 export interface Pose {

@@ -2,6 +2,7 @@ import { BENT, type JointRotation, smoothstep } from 'furrow/internal'
 import { type Object3D, Quaternion, type SkinnedMesh } from 'three'
 import { fileName } from '../../open/rest-skeleton.ts'
 import type { BodyPose } from './body-poses.ts'
+import { interpolateNumbers, interpolateRotations, type JointRotations, type Numbers } from './interpolate.ts'
 
 /** Name of the pose in which no joint is turned. */
 export const REST_POSE = 'rest'
@@ -15,12 +16,15 @@ export interface PosableJoint {
   readonly rest: Quaternion
 }
 
-/** Rotations of joints relative to their parents. The keys are names of joints. */
-export type JointRotations = ReadonlyMap<string, Quaternion>
+/** Rotations of all joints, and the amounts of poses that they contain. */
+interface Turned {
+  rotations: JointRotations
+  amounts: Numbers
+}
 
 interface Transition {
-  from: { rotations: JointRotations; amounts: ReadonlyMap<string, number> }
-  to: { rotations: JointRotations; amounts: ReadonlyMap<string, number> }
+  from: Turned
+  to: Turned
   elapsed: number
   seconds: number
 }
@@ -32,7 +36,7 @@ interface Transition {
 export class SkeletonPose {
   readonly joints: readonly PosableJoint[]
   #poses: readonly BodyPose[] = []
-  #amounts: ReadonlyMap<string, number> = new Map()
+  #amounts: Numbers = new Map()
   #transition: Transition | null = null
 
   /** @param rest rotations of all objects at rest. */
@@ -62,11 +66,11 @@ export class SkeletonPose {
   }
 
   /** Amounts of the poses, 0..1. Does not move joints when it is set. */
-  get amounts(): ReadonlyMap<string, number> {
+  get amounts(): Numbers {
     return this.#amounts
   }
 
-  set amounts(amounts: ReadonlyMap<string, number>) {
+  set amounts(amounts: Numbers) {
     this.#amounts = amounts
   }
 
@@ -98,7 +102,9 @@ export class SkeletonPose {
       return [name, turn ? rest.clone().multiply(turn) : rest]
     })
     const from = { rotations: this.read(), amounts: this.#amounts }
-    this.#transition = { from, to: { rotations: new Map(rotations), amounts }, elapsed: 0, seconds }
+    const faded = [...this.#amounts.keys()].map((name): [string, number] => [name, 0])
+    const to = { rotations: new Map(rotations), amounts: new Map([...faded, ...amounts]) }
+    this.#transition = { from, to, elapsed: 0, seconds }
     if (seconds === 0) this.advance(0)
   }
 
@@ -110,13 +116,7 @@ export class SkeletonPose {
     const t = seconds > 0 ? Math.min(1, this.#transition!.elapsed / seconds) : 1
     const eased = smoothstep(t)
     this.write(interpolateRotations(from.rotations, to.rotations, eased))
-    const names = new Set([...from.amounts.keys(), ...to.amounts.keys()])
-    this.#amounts = new Map(
-      [...names].map((name) => {
-        const [start, end] = [from.amounts.get(name) ?? 0, to.amounts.get(name) ?? 0]
-        return [name, start + (end - start) * eased]
-      }),
-    )
+    this.#amounts = interpolateNumbers(from.amounts, to.amounts, eased)
     if (t === 1) this.#transition = null
   }
 
@@ -141,7 +141,7 @@ export class SkeletonPose {
   }
 
   /** Returns the turn of each joint for amounts of poses, relative to rest. */
-  #turnsAt(amounts: ReadonlyMap<string, number>): Map<string, Quaternion> {
+  #turnsAt(amounts: Numbers): Map<string, Quaternion> {
     const turns = new Map<string, Quaternion>()
     for (const { name: pose, joints } of this.#poses) {
       const amount = amounts.get(pose) ?? 0
@@ -153,15 +153,6 @@ export class SkeletonPose {
     }
     return turns
   }
-}
-
-export function interpolateRotations(from: JointRotations, to: JointRotations, t: number): JointRotations {
-  return new Map(
-    [...to].map(([name, end]) => {
-      const start = from.get(name)
-      return [name, start && t < 1 ? start.clone().slerp(end, t) : end]
-    }),
-  )
 }
 
 /** Returns the bones of all skinned meshes, parents first. */

@@ -53,7 +53,8 @@ export interface LoaderParts {
  * `clone()` or `SkeletonUtils.clone()`, and meshes that the page creates with the material of a face (as in JSX), also get wrinkles. They have
  * separate activations and share textures. Drivers can read VRM expressions if three-vrm's plugin is registered too.
  *
- * With the option `auto`, wrinkles are generated after loading for files without wrinkles, one mesh after another. Await `wrinklesReady(gltf)` to use them.
+ * With the option `auto`, wrinkles are generated after loading for files without wrinkles, one mesh after another. Await
+ * `wrinklesReady(gltf)` to use them.
  *
  * A file never fails to load because of its wrinkles. If the wrinkles are invalid or unsupported, the face has none, and one warning is logged.
  */

@@ -59,8 +59,7 @@ export function chooseSurfaces<T extends SurfaceCandidate>(
   const surfaces: ChosenSurface<T>[] = []
   const face = choice && choice.fraction > 0 ? judged[choice.index] : undefined
   if (face) {
-    // A surface with brows, lids and a mouth is skin unless its name denies it.
-    const isSkin = face.kind === 'skin' || (face.kind === undefined && choice?.movers === FACE_MOVERS)
+    const isSkin = (face.kind ?? kindOfFace(choice)) === 'skin'
     surfaces.push({ ...(isSkin ? asSkin(face.candidate) : withoutSkeleton(face.candidate)), choice })
   }
   const others = judged.filter((one) => one !== face && one.candidate.limbs.length > 0)
@@ -82,6 +81,11 @@ export function chooseSurfaces<T extends SurfaceCandidate>(
     unknown: candidatesOf(others.filter(({ kind }) => kind === undefined)),
     unfolded: candidatesOf(others.filter((one) => one.kind === 'cloth' && !isFolded(one))),
   }
+}
+
+/** Returns the kind of a surface whose names and material do not tell it: skin if it has brows, lids and a mouth. */
+export function kindOfFace(choice: SkinChoice | undefined): 'skin' | undefined {
+  return choice && choice.fraction > 0 && choice.movers === FACE_MOVERS ? 'skin' : undefined
 }
 
 /**

@@ -136,6 +136,7 @@ export function buckleCloth(
 
 /** Changes weights at random where they fade, so that folds do not all end at one border. */
 function raggedWeights(samples: ChartSamples, weights: Float64Array, tube: ClothTube): Float64Array {
+  if (tube.ragged === 0) return weights
   const noise = filmNoise(tube.seed + 53)
   return weights.map((weight, i) => {
     if (!(weight > 0 && weight < 1)) return weight

@@ -119,7 +119,7 @@ export function trunkRegions(
   // Cloth twists about the middle of the trunk, although the spine is nearer to the back.
   const centres = joints.map(() => section.middle)
   // Skin weights differ between front, sides and back. Cloth is taut around the trunk, so each height turns as a whole, whichever joint bends.
-  const moved = (_: number, point: number) => smoothstep((around[point].along / tall - 0.5) / BEND + 0.5)
+  const moved = (point: number) => smoothstep((around[point].along / tall - 0.5) / BEND + 0.5)
   return FOLDS.map((fold): RegionPlan => {
     const [x, y, z] = fold.axis
     const axis = unit(add(add(scale(left, x), scale(up, y)), scale(front, z)))

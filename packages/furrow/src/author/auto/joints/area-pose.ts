@@ -6,6 +6,7 @@ import { triangleNormal } from '../../../math/triangle.ts'
 import { dot, length, length2 } from '../../../math/vector.ts'
 import type { SkinJoint } from '../../skin/skeleton.ts'
 import type { Skin } from '../../skin/surface.ts'
+import { DEGREE } from '../limbs/turn.ts'
 
 /** Rotation of a joint from its rest pose, in the joint's own frame: a unit quaternion. */
 export type JointRotation = readonly [x: number, y: number, z: number, w: number]
@@ -139,7 +140,6 @@ const ASIDE = 35
 const FRAME = 5
 const MIN_HEIGHT = 0.06
 const MAX_PITCH = 50
-const DEGREE = Math.PI / 180
 
 /** Returns a view that shows an area while joints fold it. */
 export function viewOfPlace({ middle, normal, size }: AreaPlace): AreaView {

@@ -21,11 +21,10 @@ export interface RegionPlan extends Omit<SkinRegion, 'cause'> {
   /** Standard deviation, in millimetres, of the diffusion of skin weights: half the radius of the limb. */
   looseness: number
   /**
-   * Returns the weight of a turned joint with everything below it at a point, 0..1. Default: the skin weights, diffused over `looseness`.
-   *
-   * @param k index into the joints of the turn.
+   * Returns the weight of all turned joints at a point, 0..1. Default: each joint has its own skin weights, diffused over `looseness`, with
+   * everything below it.
    */
-  moved?: (k: number, point: number) => number
+  moved?: (point: number) => number
   /** Fraction of the full angle at which the strain is measured; default: 1. */
   strained?: number
   /** Links to joints. The activations of several links add up. */

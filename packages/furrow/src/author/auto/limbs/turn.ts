@@ -47,15 +47,17 @@ export function turnSkin(limb: LimbSkin, turn: JointTurn, sigma: number, runs: n
   return { turn, weights }
 }
 
-/** Weights the joints of a turn by a function. */
+/** Weights all joints of a turn alike, by a function. */
 export function weightedTurn(
   { prepared: { surface } }: LimbSkin,
   turn: JointTurn,
-  moved: (k: number, point: number) => number,
+  moved: (point: number) => number,
 ): TurnedSkin {
   const weights = new Float64Array(TENSOR_SIZE * surface.areas.length)
-  for (let point = 0; point < surface.areas.length; point++)
-    for (let k = 0; k < turn.joints.length; k++) weights[TENSOR_SIZE * point + k] = moved(k, point)
+  for (let point = 0; point < surface.areas.length; point++) {
+    const first = TENSOR_SIZE * point
+    weights.fill(moved(point), first, first + turn.joints.length)
+  }
   return { turn, weights }
 }
 

@@ -44,6 +44,16 @@ export function findBody(skeleton: SkinSkeleton): Body {
   }
 }
 
+/** Recognises a body by all its joints, also those that move no vertex of a mesh, such as the legs of a shirt's wearer. */
+export function findWholeBody(joints: SkinSkeleton['joints']): Body {
+  return findBody({
+    joints,
+    influences: 1,
+    indices: [...joints.keys()],
+    weights: joints.map(() => 1),
+  })
+}
+
 /** Returns the spine between the legs and the arms. */
 function trunkBetween(
   { joints }: SkinSkeleton,
