@@ -72,7 +72,7 @@ function glabella(
     guides,
     spacing: 11,
     creasedFraction: byAge(0.6, 1),
-    maxDepth: byAge(1, 1.6),
+    maxDepth: byAge(1.05, 1.6),
     atRest: 0.3,
     reach: 5,
     feather: 6,
