@@ -111,7 +111,10 @@ export function panelModel(parts: PanelParts): PanelModel {
       attempt: (task) => void messages.attempt(task),
       openFiles: (files) => opening.openFiles(async () => filesOfInput(files)),
       openFace: (name) => opening.openFace(name),
-      chooseSkin: (skin) => opening.open(async (shown) => ({ ...shown!, skin })),
+      chooseSkin: async (skin) => {
+        await opening.open(async (shown) => ({ ...shown!, skin }))
+        face.frameSkin()
+      },
       setRenderer: (kind) => {
         face.settle()
         return host.open(kind)

@@ -3,43 +3,60 @@ import type { Viewer } from '../viewer/viewer.ts'
 
 /** Expressions that show most wrinkles, in the order of the performance: surprise, frown and smile. */
 const PREFERRED = ['surprised', 'angry', 'happy']
+/** Number of expressions or poses that are performed if none is preferred. */
+const COUNT = 3
 
 export interface RevealPlan {
-  /** Names of the expressions to perform. */
+  readonly kind: 'expression' | 'pose'
+  /** Names of the expressions or poses to perform. */
   readonly plan: readonly string[]
   /** The one among them that shows most wrinkles. */
   readonly strongest: string
 }
 
 /**
- * Returns the expressions that an avatar performs: surprise, frown and smile, or the three that show most wrinkles if it has none of these.
- * Returns null if no expression shows a wrinkle.
+ * Returns the expressions that an avatar performs: surprise, frown and smile, or the three that show most wrinkles if it has none of these. If no
+ * expression shows a wrinkle, returns the poses of joints that show most. Returns null if nothing shows a wrinkle.
  */
 export function revealPlan(viewer: Viewer): RevealPlan | null {
-  return planOf(strengthsOf(viewer))
+  const { expressions, poses } = strengthsOf(viewer)
+  return planOf('expression', expressions) ?? planOf('pose', poses)
 }
 
-/** @param strengths sums of the activations that each expression gives, in the order of the expressions. */
-export function planOf(strengths: ReadonlyMap<string, number>): RevealPlan | null {
+/** @param strengths sums of the activations that each expression or pose gives, in the order of the avatar. */
+export function planOf(kind: RevealPlan['kind'], strengths: ReadonlyMap<string, number>): RevealPlan | null {
   const ranked = [...strengths].filter(([, sum]) => sum > 0).toSorted((a, b) => b[1] - a[1])
   if (ranked.length === 0) return null
   const names = ranked.map(([name]) => name)
   const preferred = PREFERRED.filter((name) => names.includes(name))
-  const plan = preferred.length > 0 ? preferred : names.slice(0, PREFERRED.length)
-  return { plan, strongest: names.find((name) => plan.includes(name))! }
+  const plan = preferred.length > 0 ? preferred : oneSideOf(names).slice(0, COUNT)
+  return { kind, plan, strongest: names.find((name) => plan.includes(name))! }
 }
 
-/** Sums the activations of all areas for each expression except the neutral first one. Restores the pose. */
-function strengthsOf(viewer: Viewer): ReadonlyMap<string, number> {
+/** Leaves out poses whose counterpart on the other half of the body comes before them. */
+function oneSideOf(names: readonly string[]): string[] {
+  const paired = (name: string) => name.replace(/\b(left|right)\b/, 'side')
+  return names.filter((name, i) => names.findIndex((other) => paired(other) === paired(name)) === i)
+}
+
+/** Sums the activations of all areas for each expression except the neutral first one, and for each pose of joints. Restores the pose. */
+function strengthsOf(viewer: Viewer): Record<'expressions' | 'poses', ReadonlyMap<string, number>> {
   const before = poseOf(viewer)
-  try {
-    return new Map(
-      viewer.expressions.slice(1).map(({ name }) => {
-        viewer.play(name, 0)
+  const { amounts } = viewer.skeleton
+  const sumsOf = (shown: readonly { name: string }[], show: (name: string) => void) =>
+    new Map(
+      shown.map(({ name }) => {
+        show(name)
         return [name, viewer.areas.reduce((sum, area) => sum + area.read(), 0)]
       }),
     )
+  try {
+    return {
+      expressions: sumsOf(viewer.expressions.slice(1), (name) => viewer.play(name, 0)),
+      poses: sumsOf(viewer.skeleton.poses, (name) => viewer.playPose(name, 0)),
+    }
   } finally {
+    viewer.skeleton.amounts = amounts
     writePose(viewer, before)
   }
 }

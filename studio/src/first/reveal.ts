@@ -25,7 +25,7 @@ export interface RevealParts {
   onEnd(): void
 }
 
-/** Lets a dropped avatar perform a few expressions while the divider crosses its face. Any input ends this. */
+/** Lets a dropped avatar perform a few expressions, or poses of its joints, while the divider crosses it. Any input ends this. */
 export class Reveal {
   readonly #parts: RevealParts
   /** Avatar that was dropped and has not performed yet. */
@@ -64,14 +64,16 @@ export class Reveal {
     const now = performance.now()
     running.elapsed += Math.min((now - running.last) / 1000, MAX_STEP)
     running.last = now
-    const { plan, strongest, elapsed } = running
+    const { kind, plan, strongest, elapsed } = running
+    const show = (name: string) =>
+      kind === 'expression' ? this.#parts.face.play(name) : this.#parts.face.playPose(name)
     if (elapsed >= DURATION) {
       this.#end()
-      this.#parts.face.play(strongest)
+      show(strongest)
       return
     }
     const step = Math.floor((elapsed / DURATION) * plan.length)
-    if (step !== running.step) this.#parts.face.play(plan[step])
+    if (step !== running.step) show(plan[step])
     running.step = step
     this.#parts.moveDivider(dividerAt(elapsed))
   }

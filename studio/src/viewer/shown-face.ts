@@ -1,5 +1,5 @@
 import { type ReadonlySignal, type Signal, signal, untracked } from '@preact/signals'
-import { Vector3 } from 'three'
+import { Box3, Sphere, Vector3 } from 'three'
 import type { Messages } from '../messages.ts'
 import { reducedMotion } from '../motion.ts'
 import type { Hovered } from './hovered.ts'
@@ -161,6 +161,21 @@ export class ShownFace {
       if (place) this.#parts.orbit()?.show(new Vector3(...place.middle), AROUND * place.size)
       this.#frame.value++
     })
+  }
+
+  /** Looks at the mesh whose wrinkles are shown: at the face, or at all of a mesh without blendshapes. */
+  frameSkin(): void {
+    const { skins, skin } = this.#live?.avatar ?? {}
+    const orbit = this.#parts.orbit()
+    if (!skins || skin === undefined || !orbit) return
+    const { blendshapes, meshes } = skins[skin]
+    if (blendshapes > 0 || skins.length === 1) orbit.goTo('front')
+    else {
+      const box = meshes.reduce((all, mesh) => all.expandByObject(mesh), new Box3())
+      const { center, radius } = box.getBoundingSphere(new Sphere())
+      orbit.lookAt(center, radius / 2)
+    }
+    this.#parts.wake()
   }
 
   /** Sets a slider. Sliders of blendshapes and of poses stop a clip, and the live pose. */

@@ -23,9 +23,12 @@ export interface BodyPose {
   readonly joints: ReadonlyMap<string, JointRotation>
   /** Returns where the folds are, in world space in the rest pose. */
   place(): AreaPlace
-  /** Returns a view of the folds. */
+  /** Returns a view of the folds and the limb around them. */
   view(): AreaView
 }
+
+/** Least height of a view, metres. A smaller part of the body cannot be recognised. */
+const LEAST_HEIGHT = 0.22
 
 /** Weights of areas. The keys are their names. Slices of KTX 2 files cannot be read. */
 export type AreaWeights = ReadonlyMap<string, Area<ArraySlice>['weights']>
@@ -52,8 +55,12 @@ export function bodyPoses(
       found ??= placeOf(skin, group, weights)
       return found
     }
+    const view = () => {
+      const near = viewOfPlace(place())
+      return { ...near, height: Math.max(near.height, LEAST_HEIGHT) }
+    }
     const areas = [...new Set(group.map(({ area }) => area))]
-    return { name, areas, joints: widest(group), place, view: () => viewOfPlace(place()) }
+    return { name, areas, joints: widest(group), place, view }
   })
 }
 
