@@ -1,22 +1,21 @@
-import { displayName } from './display-name.ts'
-
 /** Row of buttons with at most one pressed. */
 export class Buttons<T extends string> {
   readonly #buttons: Map<T, HTMLButtonElement>
 
-  /** @param shortLabels replacements for long labels. */
+  /** @param labels labels of the buttons, and their tooltips. */
   constructor(
     root: HTMLElement,
     names: readonly T[],
     onPress: (name: T) => void,
-    shortLabels?: Readonly<Partial<Record<T, string>>>,
+    labels: Readonly<Record<T, { label: string; title?: string }>>,
   ) {
     this.#buttons = new Map(
       names.map((name) => {
         const button = document.createElement('button')
         button.type = 'button'
-        button.textContent = shortLabels?.[name] ?? displayName(name)
-        if (shortLabels?.[name]) button.title = displayName(name)
+        const { label, title } = labels[name]
+        button.textContent = label
+        if (title) button.title = title
         button.addEventListener('click', () => onPress(name))
         return [name, button]
       }),

@@ -14,6 +14,7 @@ import { jointLabel, POSES } from './labels/joints.ts'
 import { FULL_TAKE } from './labels/live.ts'
 import { PROGRESS } from './labels/messages.ts'
 import { moreLabel, PAGE } from './labels/page.ts'
+import { VIEW_NAMES } from './labels/stage.ts'
 import { nextTask } from './later.ts'
 import { FillOffer } from './lines/fill-offer.ts'
 import { Lines } from './lines/lines.ts'
@@ -119,7 +120,7 @@ export class Studio {
       wake,
     })
     const views = Object.keys(VIEWS) as ViewName[]
-    this.#views = new Buttons(page.views, views, (name) => this.#goTo(name), { 'three-quarter': '3/4' })
+    this.#views = new Buttons(page.views, views, (name) => this.#goTo(name), VIEW_NAMES)
     this.#divider = new Divider(page.divider, page.stage, (position) => {
       if (this.#viewer) this.#viewer.split = position
       this.#loop.wake()
@@ -447,11 +448,11 @@ export class Studio {
     return isPainted || this.#lines.editor.isEditing.value
   }
 
-  /** Looks at the chosen line or region, or at the whole face. */
+  /** Looks at the chosen line or region, or at the mesh with the wrinkles. */
   #frameSelection(weights: GrayImage | null): void {
     const place = this.#lines.placeOf(weights)
     if (place) this.#host.orbit?.lookAt(place.middle, place.radius)
-    else this.#host.orbit?.goTo('front')
+    else this.#face.frameSkin()
     this.#loop.wake()
   }
 

@@ -71,7 +71,7 @@ export const PREFERENCES = {
 export const MESHES = {
   show: 'Show on the stage',
   hide: 'Hide on the stage; the exported file keeps it',
-  skin: 'Skin',
+  skin: 'Wrinkles on',
   unnamed: 'mesh',
 } as const
 

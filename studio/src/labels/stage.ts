@@ -19,6 +19,15 @@ export const VIEW = {
   without: 'Wrinkles off',
 } as const
 
+/** Camera views: their labels, and longer ones as tooltips. */
+export const VIEW_NAMES = {
+  front: { label: 'Front' },
+  left: { label: 'Left' },
+  right: { label: 'Right' },
+  'three-quarter': { label: '3/4', title: 'Three quarter' },
+  close: { label: 'Close-up' },
+} as const
+
 /** Explanations of what the stage can show. */
 export const VIEW_HINTS = {
   shaded: 'The skin as in the file',
