@@ -3,6 +3,8 @@ import { type ShortcutName, shortcutOf } from './shortcuts.ts'
 /** Movement per key press, without and with Shift, in fractions of the stage's width. */
 const STEP = 0.02
 const LARGE_STEP = 0.1
+/** Distance that `uncover` leaves, as a fraction of the stage's width. */
+const MARGIN = 0.2
 
 /** Divider on the stage: a vertical line. Left of it, the face is drawn without wrinkles. Pointer and keyboard move the divider. */
 export class Divider {
@@ -35,6 +37,11 @@ export class Divider {
     this.#element.ariaValueNow = String(percent)
     this.#element.ariaValueText = `${percent}% without, ${100 - percent}% with wrinkles`
     this.#onMove(this.#position)
+  }
+
+  /** Moves the divider to the left of a place, so that wrinkles there are seen. @param x 0 (left edge of the stage) to 1 (right edge). */
+  uncover(x: number): void {
+    if (this.#position > x - MARGIN) this.move(x - MARGIN)
   }
 
   readonly #onGrab = (event: PointerEvent): void => {

@@ -21,6 +21,7 @@ import type { Workspace } from './session/workspace.ts'
 import type { Painting } from './tools/painting.ts'
 import type { Sculpting } from './tools/sculpting.ts'
 import type { ToolChoice } from './tools/tool-choice.ts'
+import { REST_POSE } from './viewer/pose/skeleton-pose.ts'
 import type { ShownFace } from './viewer/shown-face.ts'
 import type { SkeletonOverlay } from './viewer/skeleton/skeleton-overlay.ts'
 import type { ViewerHost } from './viewer/viewer-host.ts'
@@ -113,6 +114,7 @@ export function panelModel(parts: PanelParts): PanelModel {
       openFace: (name) => opening.openFace(name),
       chooseSkin: async (skin) => {
         await opening.open(async (shown) => ({ ...shown!, skin }))
+        if (face.bodyPose.peek()) face.playPose(REST_POSE)
         face.frameSkin()
       },
       setRenderer: (kind) => {

@@ -116,6 +116,7 @@ export class Studio {
     this.#face = new ShownFace({
       live: () => this.#host.viewer,
       orbit: () => this.#host.orbit,
+      uncover: (x) => this.#divider.uncover(x),
       messages,
       wake,
     })

@@ -2,6 +2,7 @@
 
 import { readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
+import { fileURLToPath } from 'node:url'
 import { driversOf } from 'furrow'
 import { decodeGlb, parseWrinkledFile } from 'furrow-files'
 import type { Locator, Page } from 'playwright-core'
@@ -21,12 +22,19 @@ import {
   expectValue,
   exportFile,
   meanPngDifference,
+  savePictures,
   shootAside,
   slider,
   undoIs,
   undoLabel,
 } from './studio-page.ts'
 
+const FIGURE = fileURLToPath(new URL('../../faces/body.glb', import.meta.url))
+/** Window sizes for the pictures in the guide. */
+const PICTURES = [
+  { width: 390, height: 844 },
+  { width: 1280, height: 800 },
+]
 const AREA = 'LeftForeArm flexion'
 const MADE = 'Make automatic wrinkles'
 
@@ -142,6 +150,18 @@ test('a body that lies flat in its file stands upright, and joints do not fold a
   await drop('lying.glb', 'Lying')
   await page.getByText('because it looks hard').waitFor(DRAWING)
   expect(await meanPngDifference(standing, await shootAside(page))).toBeLessThan(0.5)
+})
+
+test('the chosen mesh is in the picture, and its poses fold it', async () => {
+  await dropPaths(page, [FIGURE], 'Body')
+  await page.getByLabel('Wrinkles on').selectOption('shirt')
+  await areaChoice(page, 'spine01 forward').waitFor(DRAWING)
+  expect(await page.getByRole('button', { name: 'Front' }).getAttribute('aria-pressed')).toBe('false')
+  await button(page, 'Bend forward').click()
+  await expectValue(slider(page, 'spine01 forward'), 0.83)
+  await savePictures(page, 'pose', PICTURES)
+  await button(page, 'Skeleton').click()
+  await savePictures(page, 'skeleton', PICTURES)
 })
 
 /** Returns the place of a handle once it rests. The camera may still move from the view of a pose. */

@@ -6,7 +6,7 @@ export const POSES = {
   title: 'Poses',
   rest: 'Rest pose',
   skeleton: 'Skeleton',
-  skeletonHint: 'Drag the end of a bone, or turn it by ← and →.',
+  skeletonHint: 'Drag a dot to turn its bone, or press ← and →.',
 } as const
 
 /** Everyday names of poses, by their names. Other poses bend the part of the body that they name. */
@@ -60,6 +60,9 @@ const PLACES: Readonly<Record<string, string>> = {
   forward: 'front',
 }
 
+/** Names of the joints of the trunk. */
+const TRUNK = /spine|waist|chest/i
+
 /** Joints of a finger by words in their names. */
 const PHALANGES = ['proximal', 'intermediate', 'distal']
 
@@ -76,7 +79,7 @@ export function jointRegionLabel(name: string): string | undefined {
   if (joint === undefined) return undefined
   const bone = boneNameOf(joint)
   const place = PLACES[movement] ?? movement
-  if (!bone) return `${displayName(joint)}: ${place}`
+  if (!bone) return `${TRUNK.test(joint) ? 'Waist' : displayName(joint)}: ${place}`
   const side = bone.side ? `, ${bone.side}` : ''
   if (movement === 'knuckles') return `Knuckles${side}`
   if (movement.endsWith('crease')) return `Palm: ${movement}${side}`

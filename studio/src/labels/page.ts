@@ -81,7 +81,7 @@ export const INSPECTOR = {
   noWrinkles: 'This avatar has no wrinkles.',
   fromFile: 'These wrinkles came with the file.',
   fromFileEditable: 'These wrinkles came with the file. Select a region or a line to change it.',
-  noBlendshapes: 'This avatar has no blendshapes. Select a region to let joints or values show it.',
+  noBlendshapes: 'This mesh has no blendshapes. Select a region to see and change what shows it.',
   lineShows: 'A line shows when its region does.',
 } as const
 

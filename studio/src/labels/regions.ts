@@ -39,7 +39,7 @@ export function regionLabels(name: string) {
     select: `Select ${regionLabel(name)} ${name}`,
     solo: `Solo ${name}`,
     hide: `Hide ${name}`,
-    fromImage: `Fill ${name} from an image`,
+    fromImage: `Fill ${regionLabel(name)} from an image`,
   }
 }
 

@@ -1,5 +1,7 @@
 import { effect, signal } from '@preact/signals'
+import { POSES } from '../labels/joints.ts'
 import { PLACES } from '../labels/page.ts'
+import type { PanelModel } from '../panels/model.ts'
 
 /** Panels that share the sheet of a small page. */
 const SHEETS = [
@@ -19,7 +21,8 @@ effect(() => {
 })
 
 /** Buttons that choose the panel in the sheet of a small page. A second press closes the sheet. */
-export function SheetTabs() {
+export function SheetTabs({ model: { viewer } }: { model: PanelModel }) {
+  const isBodyOnly = viewer.value?.targets.length === 0
   return (
     <>
       {SHEETS.map(({ value, label }) => (
@@ -32,7 +35,7 @@ export function SheetTabs() {
             sheet.value = sheet.peek() === value ? null : value
           }}
         >
-          {label}
+          {value === 'poses' && isBodyOnly ? POSES.title : label}
         </button>
       ))}
     </>

@@ -115,13 +115,19 @@ export class Orbit {
     this.pose = this.#transition ? from : to
   }
 
-  /** Looks at a sphere like `lookAt`, unless the sphere is in the picture and at least `VISIBLE` of the picture's height. */
-  show(target: Vector3, radius: number): void {
+  /**
+   * Looks at a sphere like `lookAt`, unless the sphere is in the picture and at least `VISIBLE` of the picture's height.
+   *
+   * @returns the place of the sphere in the picture that the camera moves to, 0 (left edge) to 1 (right edge).
+   */
+  show(target: Vector3, radius: number): number {
     const { camera } = this.#stage
     camera.updateMatrixWorld()
     const { x, y } = target.clone().project(camera)
     const half = camera.position.distanceTo(target) * Math.tan((camera.fov * Math.PI) / 360)
-    if (Math.max(Math.abs(x), Math.abs(y)) > SEEN || radius < VISIBLE * half) this.lookAt(target, radius)
+    const isShown = Math.max(Math.abs(x), Math.abs(y)) <= SEEN && radius >= VISIBLE * half
+    if (!isShown) this.lookAt(target, radius)
+    return isShown ? (x + 1) / 2 : 0.5
   }
 
   /** Applies the pose and the fixed view of another `Orbit`. */

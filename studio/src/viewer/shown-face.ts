@@ -22,6 +22,8 @@ export interface ShownFaceParts {
   /** Returns the viewer of the face, or null while another face is being opened. */
   live(): Viewer | null
   orbit(): Orbit | null
+  /** Moves the divider to the left of a place, 0 (left edge of the stage) to 1 (right edge). */
+  uncover(x: number): void
   messages: Messages
   /** Requests the next frame. */
   wake(): void
@@ -158,7 +160,8 @@ export class ShownFace {
       viewer.playPose(name, reducedMotion.matches ? 0 : EXPRESSION_TIME)
       this.#bodyPose.value = name
       const place = viewer.skeleton.poses.find((pose) => pose.name === name)?.place()
-      if (place) this.#parts.orbit()?.show(new Vector3(...place.middle), AROUND * place.size)
+      const x = place && this.#parts.orbit()?.show(new Vector3(...place.middle), AROUND * place.size)
+      if (x !== undefined) this.#parts.uncover(x)
       this.#frame.value++
     })
   }
