@@ -2,6 +2,7 @@
 
 import type { Page } from 'playwright-core'
 import { beforeAll, expect, test } from 'vitest'
+import { regionLabel } from '../../studio/src/labels/names.ts'
 import { openStudio } from './opened-studio.ts'
 import {
   areaChoice,
@@ -80,12 +81,12 @@ test('an area is painted on the face, and shows its extent', async () => {
   await button(page, 'Neutral').click()
   await areaChoice(page, AREA).check()
   await chooseTool(page, 'Paint')
-  await changesPicture(() => drag('#viewport', [0.6, 0.55], [0.63, 0.6]), `Paint ${AREA}`, 0.05)
+  await changesPicture(() => drag('#viewport', [0.6, 0.55], [0.63, 0.6]), `Paint ${regionLabel(AREA)}`, 0.05)
 })
 
 test('an area is painted on the view of its texture', async () => {
   await button(page, 'Texture').click()
-  await changesPicture(() => drag('#texture', [0.6, 0.45], [0.65, 0.5]), `Paint ${AREA}`, 0.05)
+  await changesPicture(() => drag('#texture', [0.6, 0.45], [0.65, 0.5]), `Paint ${regionLabel(AREA)}`, 0.05)
   await button(page, 'Texture').click()
 })
 

@@ -11,6 +11,10 @@ import { ProjectStore } from '../../../studio/src/keep/project-store.ts'
 import { sampleDocument, weightsOf } from '../../unit/studio/sample-document.ts'
 
 const document = sampleDocument()
+/** Weights of three areas, a normal map, a tile of sculpted heights, and weights of two takes. */
+const IMAGES = 7
+const TILE_BYTES = 2 * 64 ** 2
+const TAKE_BYTES = 7 * 4
 const face = { path: 'avatar/face.glb', file: new Blob(['glTF and so on']) }
 const FILES = [face, { path: 'avatar/skin.png', file: new Blob(['a picture']) }]
 
@@ -106,7 +110,11 @@ describe('a project', () => {
     await first.save(setArea(document, 'frown', { activation: 1 }))
     await first.setThumbnail(new Blob(['small'], { type: 'image/png' }))
     const [entry, other] = await store.list()
-    expect(entry).toMatchObject({ id: first.id, name: 'Face', bytes: 3 * 16 + 3 + 14 + 9 })
+    expect(entry).toMatchObject({
+      id: first.id,
+      name: 'Face',
+      bytes: 3 * 16 + 3 + 14 + 9 + TILE_BYTES + TAKE_BYTES,
+    })
     expect(entry.problem).toBeUndefined()
     expect(entry.changed!.getTime()).toBeGreaterThanOrEqual(other.changed!.getTime())
     expect(await entry.thumbnail!.text()).toBe('small')
@@ -165,9 +173,9 @@ describe('a save', () => {
   it('deletes images that the document no longer uses, and stores them again after undo', async () => {
     const project = await create(openStore())
     await project.save(removeArea(document, 'frown'))
-    expect((await recordsOf('images')).size).toBe(3)
+    expect((await recordsOf('images')).size).toBe(IMAGES - 1)
     await project.save(document)
-    expect((await recordsOf('images')).size).toBe(4)
+    expect((await recordsOf('images')).size).toBe(IMAGES)
     expect((await reopen(project.id)).opened).toEqual(document)
   })
 
@@ -179,7 +187,8 @@ describe('a save', () => {
     const areas = document.areas.map((area) => ({ ...area, weights }))
     await create(openStore(), { ...document, layers, areas })
     const images = [...(await recordsOf('images')).values()] as { bytes?: Uint8Array }[]
-    expect(images.length).toBe(2)
+    // Weights of areas, a normal map, and weights of two takes.
+    expect(images.length).toBe(4)
     expect(images.find((image) => image.bytes)!.bytes!.buffer.byteLength).toBe(3)
   })
 
@@ -200,7 +209,7 @@ describe('a save', () => {
     store.close()
     const painted = paintArea(document, 'frown', weightsOf(7))
     await project.save(painted)
-    expect((await recordsOf('images')).size).toBe(4)
+    expect((await recordsOf('images')).size).toBe(IMAGES)
     store.close()
     await new Promise((resolve) => {
       indexedDB.deleteDatabase(name).onsuccess = resolve
@@ -232,7 +241,7 @@ describe('failing storage', () => {
     failPuts('documents', 'QuotaExceededError')
     await expect(project.save(painted)).rejects.toThrow('Studio: the browser has no room left')
     vi.restoreAllMocks()
-    expect((await recordsOf('images')).size).toBe(4)
+    expect((await recordsOf('images')).size).toBe(IMAGES)
     await project.save(painted)
     expect((await reopen(project.id)).opened).toEqual(painted)
   })

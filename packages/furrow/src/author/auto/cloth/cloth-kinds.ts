@@ -1,5 +1,6 @@
 /** Kinds of cloth, which differ in stiffness. */
 export const CLOTH_KINDS = ['silk', 'shirt', 'denim', 'leather'] as const
+/** Kind of cloth: silk is the softest, leather the stiffest. */
 export type ClothKind = (typeof CLOTH_KINDS)[number]
 
 /** How a cloth folds. Lengths are in millimetres. */
