@@ -323,6 +323,19 @@ describe.each(RENDERERS)('relief on %s', (name) => {
     wrinkles.dispose()
   })
 
+  it('accepts layers whose heights are large only together', async () => {
+    const { layers, areas } = heightSet()
+    const [layer] = layers
+    const high = ['', ' 2', ' 3'].map((end) => {
+      return { ...layer, name: `${layer.name}${end}`, heightAmplitude: 0.08 * RADIUS }
+    })
+    const mesh = ball()
+    const wrinkles = await raised(mesh, { layers: high, areas })
+    await picture(sceneOf(mesh))
+    expect(mesh.children).toHaveLength(1)
+    wrinkles.dispose()
+  })
+
   it.each([
     ['heights of 10 m', () => ball(), 10, 'displace the surface too far'],
     ['positions that are not numbers', () => brokenBall(), 0.003, 'positions that are not numbers'],

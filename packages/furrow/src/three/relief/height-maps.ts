@@ -59,7 +59,7 @@ export async function createHeightMaps(layers: readonly RaisedLayer[]): Promise<
   }
 }
 
-/** Maximum displacement, relative to the radius of the mesh's bounding sphere. Larger displacements indicate wrong units. */
+/** Maximum displacement by one layer, relative to the radius of the mesh's bounding sphere. Larger displacements indicate wrong units. */
 const MAX_REACH = 0.05
 
 /**
@@ -68,7 +68,9 @@ const MAX_REACH = 0.05
  * @param radius radius of the mesh's bounding sphere, metres.
  * @throws FurrowError if the heights are too large.
  */
-export function checkReach({ reach }: HeightMaps, radius: number): void {
+export function checkReach({ layers }: HeightMaps, radius: number): void {
+  // Layers of clothes rarely show at once, so their sum may be larger.
+  const reach = Math.max(...layers.map(({ amplitude }) => amplitude / 2))
   const limit = MAX_REACH * radius
   if (reach <= limit) return
   throw new FurrowError({
