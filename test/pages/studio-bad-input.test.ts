@@ -52,7 +52,7 @@ test('a full disk keeps the work in memory, and saves it once there is room', as
   await expect.poll(async () => (await areas()).length, { timeout: 300_000 }).toBeGreaterThan(5)
   await button('New region').click()
   await page.getByText('the browser has no room left for this project; free some disk space').waitFor()
-  expect(await areas()).toContain('area')
+  await expect.poll(areas, SOON).toContain('area')
   await session.send('Storage.overrideQuotaForOrigin', { origin })
   await page.getByText('Kept in this browser').waitFor()
 })
