@@ -10,7 +10,7 @@ export async function measureMemory(bench, add) {
   const session = await page.context().newCDPSession(page)
   const workers = await WorkerSessions.attach(session)
   await studio.openProject(await bench.files.project(10))
-  await studio.button('New area').click()
+  await studio.button('New region').click()
   await studio.chooseTool('Paint')
   await studio.waitForIdle()
   const before = await heapOf(session)

@@ -7,7 +7,7 @@ export async function measurePainting(bench, add) {
   const studio = await StudioPage.open(bench)
   const { page } = studio
   await studio.openProject(await bench.files.project(10))
-  await studio.button('New area').click()
+  await studio.button('New region').click()
   await studio.chooseTool('Paint')
   await studio.waitForIdle()
   const at = (i) => studio.pointAt(0.56 + 0.012 * i, 0.5)
