@@ -76,15 +76,15 @@ const SHORTEST = 1.6
 /** Number of samples of the cloth per wavelength. A trunk is so large that more would take seconds. */
 const SAMPLES = 7
 /** Standard deviation of the random turn of the compression, as a slope. */
-const LEAN = 0.3
+const LEAN = 0.45
 /** Compression at which the cloth buckles. Around a trunk, cloth has less slack than around an elbow. */
 const CRITICAL = 0.03
 /** Standard deviation of the logarithm of a fold's share of the compression. A few folds around a trunk are much deeper than the others. */
-const UNEVENNESS = 1.1
+const UNEVENNESS = 1.7
 /** Heights over which the folds end below and above, as fractions of the trunk. */
 const FADE = 0.35
 /** Random change of the weight of the compression where it fades. Folds that ended at one height would show a seam. */
-const RAGGED = 0.5
+const RAGGED = 0.8
 /** Share of the trunk's own joints at which folds begin, and at which they are complete. Shoulders and hips have none. */
 const OWN = [0.45, 0.8] as const
 /** Length over which the spine bends the cloth, as a fraction of the trunk. */
