@@ -78,7 +78,8 @@ export function forehead({ landmarks, ageFraction, byAge, densityOf, rngOf }: Fa
       const [, slope] = dropAt(across, up)
       return unit2(slope, 1)
     },
-    variation: { thickness: 0.16, critical: 0.3, size: 9 },
+    evenness: 0.8,
+    variation: { thickness: 0.16, critical: 0.22, size: 9 },
     noise: rng.film(),
     style: {
       width: byAge(2.8, 3.5),
@@ -97,7 +98,7 @@ export function forehead({ landmarks, ageFraction, byAge, densityOf, rngOf }: Fa
     expression: { browInnerUp: 1, browOuterUpLeft: 1, browOuterUpRight: 1 },
     film,
     spacing: filmWavelength(thickness) / film.density,
-    creasedFraction: byAge(0.45, 0.9),
+    creasedFraction: byAge(0.54, 0.9),
     maxDepth: byAge(0.8, 1.35),
     atRest: 0.3,
     reach: 6,

@@ -84,6 +84,11 @@ export interface SkinFilm {
   /** Returns the unit direction of the muscle's pull at a point, on the head's chart. */
   pull(point: ChartPoint): ChartPoint
   /**
+   * Fraction of the compression along the pull that is the same on the whole patch, 0..1; default: 0. A broad muscle shortens its skin evenly,
+   * but blendshapes often leave parts of it behind.
+   */
+  evenness?: number
+  /**
    * Random variation of the skin: standard deviations of the relative thickness and of the logarithm of the critical compression, and size of
    * the irregularities in millimetres (see `planeNoise`).
    */

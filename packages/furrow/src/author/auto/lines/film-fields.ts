@@ -1,5 +1,5 @@
 import { exp } from '../../../math/elementary.ts'
-import { clamp } from '../../../math/scalar.ts'
+import { clamp, lerp } from '../../../math/scalar.ts'
 import { dot, length2, unit2 } from '../../../math/vector.ts'
 import type { SkinFilm } from '../anatomy/region.ts'
 import type { Film } from '../buckling/buckle.ts'
@@ -49,7 +49,7 @@ export function filmFields(samples: ChartSamples, film: SkinFilm, tensors: Float
   )
   const pull = samplePull(samples, film)
   const compression = sampleTensors(samples, tensors)
-  turnToPull(compression, pull, weight)
+  turnToPull(compression, pull, weight, film.evenness)
   limitPrincipal(compression, (value) => clamp(value, ...COMPRESSIONS))
   for (const part of compression) for (let i = 0; i < part.length; i++) part[i] *= weight[i]
   return { compression, ...variedFilm(samples, thickness, variation, noise), weight, pull }
@@ -129,12 +129,18 @@ export function compressionAlongPull([xx, xy, yy]: Compression, [x, y]: FilmFiel
  * Turns the compression towards the muscle's pull, because blendshapes show the direction of the pull only roughly. Also adds compression
  * along the pull, because blendshapes compress only a part of the skin on which the muscle acts.
  */
-function turnToPull([xx, xy, yy]: Compression, [x, y]: FilmFields['pull'], weight: Float64Array): void {
+function turnToPull(
+  [xx, xy, yy]: Compression,
+  [x, y]: FilmFields['pull'],
+  weight: Float64Array,
+  evenness = 0,
+): void {
   const along = compressionAlongPull([xx, xy, yy], [x, y])
   const pulled = along.filter((_, i) => weight[i] >= FULL_WEIGHT).sort((a, b) => b - a)
   const added = clamp(PULL * (pulled[Math.floor(PULLED * pulled.length)] ?? 0), 0, MAX_PULL)
+  const even = pulled.length > 0 ? pulled.reduce((sum, value) => sum + value, 0) / pulled.length : 0
   for (let i = 0; i < weight.length; i++) {
-    const pull = added + DIRECTED * along[i]
+    const pull = added + DIRECTED * lerp(along[i], even, evenness)
     xx[i] = (1 - DIRECTED) * xx[i] + pull * x[i] * x[i]
     xy[i] = (1 - DIRECTED) * xy[i] + pull * x[i] * y[i]
     yy[i] = (1 - DIRECTED) * yy[i] + pull * y[i] * y[i]
