@@ -39,7 +39,7 @@ export class Divider {
     this.#onMove(this.#position)
   }
 
-  /** Moves the divider to the left of a place, so that wrinkles there are seen. @param x 0 (left edge of the stage) to 1 (right edge). */
+  /** Moves the divider to the left of a position, so that wrinkles there are seen. @param x 0 (left edge of the stage) to 1 (right edge). */
   uncover(x: number): void {
     if (this.#position > x - MARGIN) this.move(x - MARGIN)
   }

@@ -21,6 +21,7 @@ import {
   eventually,
   expectValue,
   exportFile,
+  GUIDE_SIZES,
   meanPngDifference,
   savePictures,
   shootAside,
@@ -30,11 +31,6 @@ import {
 } from './studio-page.ts'
 
 const FIGURE = fileURLToPath(new URL('../../faces/body.glb', import.meta.url))
-/** Window sizes for the pictures in the guide. */
-const PICTURES = [
-  { width: 390, height: 844 },
-  { width: 1280, height: 800 },
-]
 const AREA = 'LeftForeArm flexion'
 const MADE = 'Make automatic wrinkles'
 
@@ -162,9 +158,9 @@ test('the chosen mesh is in the picture, and its poses fold it', async () => {
     expect(Number(await slider(page, 'spine01 forward').inputValue())).toBeGreaterThan(0.5),
   )
   expect(Number(await page.getByRole('slider', { name: /^Divider/ }).getAttribute('aria-valuenow'))).toBe(30)
-  await savePictures(page, 'pose', PICTURES)
+  await savePictures(page, 'pose', GUIDE_SIZES)
   await button(page, 'Skeleton').click()
-  await savePictures(page, 'skeleton', PICTURES)
+  await savePictures(page, 'skeleton', GUIDE_SIZES)
 })
 
 /** Returns the place of a handle once it rests. The camera may still move from the view of a pose. */

@@ -6,6 +6,12 @@ import sharp from 'sharp'
 import { expect, vi } from 'vitest'
 import { dropPaths as dropOnPage } from '../../scripts/lib/drop-paths.mjs'
 
+/** Window sizes of the pictures in the guide. */
+export const GUIDE_SIZES = [
+  { width: 390, height: 844 },
+  { width: 1280, height: 800 },
+]
+
 /** Time limit and polling interval, milliseconds. Pages compute and draw without a GPU. */
 export const DRAWING = { timeout: 60_000, interval: 200 }
 

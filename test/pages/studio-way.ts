@@ -17,6 +17,7 @@ import {
   expectPicture,
   expectValue,
   exportFile,
+  GUIDE_SIZES,
   meanPngDifference,
   openRecent,
   prefer,
@@ -32,11 +33,6 @@ import {
 
 /** Size of the window: small, because drawing takes most of the time. */
 const WINDOW = { width: 1120, height: 700 }
-/** Sizes of the pictures in `docs/studio.md`. */
-const PICTURES = [
-  { width: 390, height: 844 },
-  { width: 1280, height: 800 },
-]
 
 const studio = openStudio(WINDOW, writeNone)
 let page: Page
@@ -347,7 +343,7 @@ const knotIn = (box: Box) => overlayPixel(box, [255, 255, 255])
 
 /** Saves pictures for `docs/studio.md`. @param shown element to scroll the panel to. */
 async function picture(name: string, shown?: Locator): Promise<void> {
-  await savePictures(page, name, PICTURES, shown)
+  await savePictures(page, name, GUIDE_SIZES, shown)
   await page.setViewportSize(WINDOW)
 }
 

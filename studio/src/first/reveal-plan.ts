@@ -1,3 +1,4 @@
+import { otherSide } from '../document/sides.ts'
 import { poseOf, writePose } from '../viewer/pose/pose.ts'
 import type { Viewer } from '../viewer/viewer.ts'
 
@@ -19,8 +20,25 @@ export interface RevealPlan {
  * expression shows a wrinkle, returns the poses of joints that show most. Returns null if nothing shows a wrinkle.
  */
 export function revealPlan(viewer: Viewer): RevealPlan | null {
-  const { expressions, poses } = strengthsOf(viewer)
-  return planOf('expression', expressions) ?? planOf('pose', poses)
+  const before = poseOf(viewer)
+  const { amounts, poses } = viewer.skeleton
+  // The first expression is neutral.
+  const [, ...expressions] = viewer.expressions
+  try {
+    return (
+      planOf(
+        'expression',
+        strengthsOf(viewer, expressions, (name) => viewer.play(name, 0)),
+      ) ??
+      planOf(
+        'pose',
+        strengthsOf(viewer, poses, (name) => viewer.playPose(name, 0)),
+      )
+    )
+  } finally {
+    viewer.skeleton.amounts = amounts
+    writePose(viewer, before)
+  }
 }
 
 /** @param strengths sums of the activations that each expression or pose gives, in the order of the avatar. */
@@ -29,34 +47,26 @@ export function planOf(kind: RevealPlan['kind'], strengths: ReadonlyMap<string, 
   if (ranked.length === 0) return null
   const names = ranked.map(([name]) => name)
   const preferred = PREFERRED.filter((name) => names.includes(name))
-  const plan = preferred.length > 0 ? preferred : oneSideOf(names).slice(0, COUNT)
+  const others = kind === 'pose' ? oneSideOf(names) : names
+  const plan = preferred.length > 0 ? preferred : others.slice(0, COUNT)
   return { kind, plan, strongest: names.find((name) => plan.includes(name))! }
 }
 
 /** Leaves out poses whose counterpart on the other half of the body comes before them. */
 function oneSideOf(names: readonly string[]): string[] {
-  const paired = (name: string) => name.replace(/\b(left|right)\b/, 'side')
-  return names.filter((name, i) => names.findIndex((other) => paired(other) === paired(name)) === i)
+  return names.filter((name, i) => !names.slice(0, i).includes(otherSide(name)))
 }
 
-/** Sums the activations of all areas for each expression except the neutral first one, and for each pose of joints. Restores the pose. */
-function strengthsOf(viewer: Viewer): Record<'expressions' | 'poses', ReadonlyMap<string, number>> {
-  const before = poseOf(viewer)
-  const { amounts } = viewer.skeleton
-  const sumsOf = (shown: readonly { name: string }[], show: (name: string) => void) =>
-    new Map(
-      shown.map(({ name }) => {
-        show(name)
-        return [name, viewer.areas.reduce((sum, area) => sum + area.read(), 0)]
-      }),
-    )
-  try {
-    return {
-      expressions: sumsOf(viewer.expressions.slice(1), (name) => viewer.play(name, 0)),
-      poses: sumsOf(viewer.skeleton.poses, (name) => viewer.playPose(name, 0)),
-    }
-  } finally {
-    viewer.skeleton.amounts = amounts
-    writePose(viewer, before)
-  }
+/** Sums the activations of all areas for each expression or pose. Leaves the last one on the stage. */
+function strengthsOf(
+  { areas }: Viewer,
+  shown: readonly { readonly name: string }[],
+  show: (name: string) => void,
+): ReadonlyMap<string, number> {
+  return new Map(
+    shown.map(({ name }) => {
+      show(name)
+      return [name, areas.reduce((sum, area) => sum + area.read(), 0)]
+    }),
+  )
 }

@@ -1,5 +1,6 @@
 import { regionLabel } from './names.ts'
 import { bytesLabel } from './project.ts'
+import { fillFromImageStep } from './steps.ts'
 
 /** Fields and commands of a region, which the file calls an area. */
 export const REGION = {
@@ -39,7 +40,7 @@ export function regionLabels(name: string) {
     select: `Select ${regionLabel(name)} ${name}`,
     solo: `Solo ${name}`,
     hide: `Hide ${name}`,
-    fromImage: `Fill ${regionLabel(name)} from an image`,
+    fromImage: fillFromImageStep(name),
   }
 }
 

@@ -118,7 +118,7 @@ export class Orbit {
   /**
    * Looks at a sphere like `lookAt`, unless the sphere is in the picture and at least `VISIBLE` of the picture's height.
    *
-   * @returns the place of the sphere in the picture that the camera moves to, 0 (left edge) to 1 (right edge).
+   * @returns the horizontal position of the sphere in the picture after the move, 0 (left edge) to 1 (right edge).
    */
   show(target: Vector3, radius: number): number {
     const { camera } = this.#stage

@@ -22,7 +22,7 @@ export interface ShownFaceParts {
   /** Returns the viewer of the face, or null while another face is being opened. */
   live(): Viewer | null
   orbit(): Orbit | null
-  /** Moves the divider to the left of a place, 0 (left edge of the stage) to 1 (right edge). */
+  /** Moves the divider to the left of a horizontal position, 0 (left edge of the stage) to 1 (right edge). */
   uncover(x: number): void
   messages: Messages
   /** Requests the next frame. */
@@ -166,7 +166,7 @@ export class ShownFace {
     })
   }
 
-  /** Looks at the mesh whose wrinkles are shown: at the face, or at all of a mesh without blendshapes. */
+  /** Looks at the mesh whose wrinkles are shown: at its face, or at all of it if it has no blendshapes. */
   frameSkin(): void {
     const { skins, skin } = this.#live?.avatar ?? {}
     const orbit = this.#parts.orbit()
