@@ -10,9 +10,11 @@ export const TILE = 254
 const AT_ONE_METRE = 148
 
 /**
- * Columns of a sheet: three ages close up, then half of the expression, the face at 1 m, and the region from the angle `side`.
+ * Columns of a sheet: the region without wrinkles, three ages close up, half of the expression, the face at 1 m, and the region from the angle
+ * `side`.
  */
 const COLUMNS = [
+  { age: 50, mode: 'off' },
   { age: 30 },
   { age: 50 },
   { age: 70 },
@@ -109,6 +111,7 @@ export const REGIONS = {
     centre: ({ eye, tip }, yaw) => [(eye[0] + 2) * Math.min(1, yaw / 30), tip[1] + 6, 0],
     height: ({ hairline, chin }) => 0.92 * (hairline - chin),
     columns: [
+      { age: 50, mode: 'off' },
       { age: 30 },
       { age: 50 },
       { age: 70 },
@@ -129,7 +132,7 @@ export function picturesOf(
   { landmarks, scale, pointAt },
 ) {
   return columns.map((column) => {
-    const { age, strength = 1, isFar = false } = column
+    const { age, strength = 1, isFar = false, mode = 'default' } = column
     const shown = Object.fromEntries(
       Object.entries(targets).map(([name, weight]) => [name, strength * weight]),
     )
@@ -142,6 +145,6 @@ export function picturesOf(
       // The lights follow the camera, so that the key light always grazes the skin from the upper left.
       light: angle,
     }
-    return { age, picture: { width: TILE, height: TILE, relief: 'on', targets: shown, view } }
+    return { age, picture: { width: TILE, height: TILE, relief: 'on', mode, targets: shown, view } }
   })
 }

@@ -13,21 +13,17 @@ const GOLDEN_ANGLE = 2.4
 /** Maximum random distances from a dimple's regular place: along the circle, in radians, and from the centre, relative to the oval. */
 const SCATTER = [0.4, 0.07] as const
 /** Depth of a dimple (see `LineStyle.depth`) per millimetre of its width. */
-const STEEPNESS = 0.21
+const STEEPNESS = 0.12
 /** Half the width of the dimpled mound of the chin, relative to the distance of the corner of the mouth from the middle. */
-const MOUND_WIDTH = 0.78
+const MOUND_WIDTH = 0.9
 /** Distances, in millimetres, of the mound from the groove above the chin and from the edge below the chin. */
 const BELOW_GROOVE = 3
 const ABOVE_EDGE = 2
 /** Distance below the end of the chin, in millimetres, down to which the chin's lower edge is searched. */
 const SEARCHED = 14
 
-/** Returns the regions of the chin and the neck: chin dimples, the crease above the chin (mentalis muscle), and neck rings. */
-export function chinAndNeck(context: FaceContext): FaceRegion[] {
-  return [chin(context), neck(context)]
-}
-
-function chin(context: FaceContext): FaceRegion {
+/** Returns the region of the chin: dimples, and the crease above the chin (mentalis muscle). */
+export function chin(context: FaceContext): FaceRegion {
   const { landmarks, byAge, rngOf } = context
   const rng = rngOf('chin')
   const [corner] = chartPointOf(landmarks.mouthCorner)
@@ -111,11 +107,11 @@ function dimples({ byAge }: FaceContext, rng: FaceRng, { centre, halfWidth, half
     const y = centre[1] + rng.towards(left.y, own.y)
     const radius = rng.towards(left.radius, own.radius)
     const direction = Math.PI / 2 + rng.across(Math.PI / 2)
-    const halfLength = rng.uniform(0.8, 2.4)
+    const halfLength = rng.uniform(0.8, 2)
     const bend = rng.across(0.5) * halfLength
     const [dx, dy] = [halfLength * cos(direction), halfLength * sin(direction)]
     const [bx, by] = [-bend * sin(direction), bend * cos(direction)]
-    const width = rng.uniform(2.8, 6)
+    const width = rng.uniform(3.6, 7.5)
     // Few dimples are deep. Shallow ones show with age.
     const depth = rng.uniform(byAge(-0.4, 0.3), 1)
     return {
@@ -152,41 +148,4 @@ function mirroredDimples(places: readonly Dimple[]): (number | undefined)[] {
     partners[i] = left.pop()
   }
   return partners
-}
-
-function neck({ landmarks, byAge, rngOf }: FaceContext): FaceRegion {
-  const rng = rngOf('neck')
-  const rings = Math.round(byAge(2, 3))
-  const guides = Array.from({ length: rings }, (_, i): Guide => {
-    const up = landmarks.chin - 34 - 17 * i + rng.jitter(3)
-    const left = 46 + rng.jitter(8)
-    const right = rng.towards(left, 46 + rng.jitter(8))
-    const [tilt, sag] = [rng.across(3), rng.uniform(5, 11)]
-    const lift = rng.jitter(1)
-    return {
-      path: bezierPath(
-        1,
-        [-right, up - tilt + sag - 2],
-        [-right / 3, up - tilt / 3 - 2 + rng.towards(lift, 0)],
-        [left / 3, up + tilt / 3 - 2 + lift],
-        [left, up + tilt + sag - 2],
-      ),
-      width: byAge(3, 4),
-      depth: rng.uniform(0.7, 1),
-      taper: [0.5, 0.5],
-      shoulder: [0.3, 0.3],
-      softness: 0.6,
-    }
-  })
-  return {
-    name: 'neck',
-    cause: { jawOpen: 1 },
-    guides,
-    spacing: 17,
-    creasedFraction: byAge(0.15, 0.5),
-    maxDepth: byAge(0.3, 0.9),
-    atRest: 0.5,
-    reach: 6,
-    feather: 8,
-  }
 }

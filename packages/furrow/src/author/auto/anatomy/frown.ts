@@ -49,9 +49,13 @@ function glabella(
     shoulder: [1, 1],
     softness: byAge(0.9, 0.8),
   })
+  // Many people frown more on one side, and the lines of a face are more or less parallel.
+  const face = rngOf('glabella')
+  const weaker = Math.max(0, -side * face.across(1))
+  const leaning = face.uniform(0.5, 6)
   const main = inner * rng.uniform(0.42, 0.6)
-  const extent = [rng.uniform(-12, -7), rng.uniform(13, 20)] as const
-  const guides = [line(main, extent, rng.uniform(1.5, 4), byAge(4, 5.4), rng.uniform(0.95, 1))]
+  const extent = [rng.uniform(-12, -8), rng.uniform(11, 18) - 5 * weaker] as const
+  const guides = [line(main, extent, leaning + rng.jitter(1), byAge(4, 5.4), 1 - 0.45 * weaker)]
   // The corrugator folds the skin outside its main line again. Few people have a line between the two main lines.
   const beside = main + rng.uniform(4, 5.5)
   if (ageFraction > rng.uniform(0.1, 0.5))

@@ -41,9 +41,9 @@ const OUTERMOST = 0.8
 /** Minimum length of a line outside the red, in millimetres. */
 const MIN_LENGTH = 2.5
 /** Depths along a line, from its start in the red. */
-const DEPTHS = [0.7, 1, 0.9, 0.65, 0.4]
+const DEPTHS = [0.8, 1, 0.9, 0.7, 0.45]
 /** Depth and width of the shortest line relative to the longest line. */
-const SHORTEST = { depth: 0.4, width: 0.65 } as const
+const SHORTEST = { depth: 0.5, width: 0.65 } as const
 /** Slope of the outermost lines away from the vertical. Lines lean outwards in proportion to their distance from the middle. */
 const LEAN = 0.4
 /** Maximum random change of the slope, and of a line's place as a multiple of the distance between lines. */
@@ -94,7 +94,7 @@ function lip(context: FaceContext, name: 'upperLip' | 'lowerLip', away: 1 | -1):
       width: byAge(1.9, 2.4) * lerp(SHORTEST.width, 1, size),
       depth: isMiddle ? rng.towards(0, depth) : depth,
       depths: DEPTHS,
-      taper: [0.3, 0.6],
+      taper: [0.15, 0.6],
       shoulder: [0.8, 0.8],
       softness: 0.95,
     }
@@ -106,7 +106,7 @@ function lip(context: FaceContext, name: 'upperLip' | 'lowerLip', away: 1 | -1):
     guides,
     spacing: (2 * corner * (OUTERMOST - innermost)) / lines,
     creasedFraction: byAge(0.15, 0.7),
-    maxDepth: byAge(0.2, 0.45),
+    maxDepth: byAge(0.2, 0.5),
     atRest: 0.4,
     assumedCompression: COMPRESSION,
     reach: 1.5,

@@ -24,46 +24,47 @@ export function mouthCorner(
   // The arc is smooth when the corner is pulled back.
   const moved = motionOf({ [`mouthDimple${name}`]: 0.9, [`mouthSmile${name}`]: 0.4 })
   const [pulled, height] = moved([side * corner, mouth])
-  const beside = side * pulled + rng.uniform(3, 7.5)
-  const high = byAge(0.7, 1.2) * rng.uniform(3, 9)
-  const low = byAge(0.7, 1.2) * rng.uniform(1.5, 5)
-  const tilt = rng.jitter(2.5)
+  const beside = side * pulled + rng.uniform(5, 9)
+  const high = byAge(0.8, 1.2) * rng.uniform(5, 10)
+  const low = byAge(1, 0.6) * rng.uniform(5, 10)
+  const tilt = rng.uniform(-1, 2.5)
+  const bow = rng.uniform(2, 4)
   const arc = bezierPath(
     side,
-    [beside - 2 + tilt, height + high],
-    [beside + 1 + 0.5 * tilt, height + high / 2],
-    [beside + 1 - 0.5 * tilt, height - low / 2],
-    [beside - 2 - tilt, height - low],
+    [beside - bow - tilt, height + high],
+    [beside + 0.3 * bow - 0.4 * tilt, height + high / 2],
+    [beside + 0.3 * bow + 0.4 * tilt, height - low / 2],
+    [beside - bow + tilt, height - low],
   )
   const guides: Guide[] = [
     {
       path: relaxedPath(moved, arc),
-      width: byAge(2.8, 3.4),
-      depth: byAge(1, 0.5) * rng.uniform(0.7, 1),
-      depths: [0.5, 0.9, 1, 0.9, 0.5],
+      width: byAge(3.2, 3.8),
+      depth: byAge(1, 0.3) * rng.uniform(0.7, 1),
+      depths: [0.4, 0.8, 1, 0.8, 0.4],
       taper: [0.5, 0.5],
       // The bank is almost flat on the side of the lips.
       shoulder: side > 0 ? [0.9, 0.1] : [0.1, 0.9],
-      softness: 0.75,
+      softness: 0.9,
     },
   ]
   if (ageFraction > MARIONETTE_AGE) {
-    const [across, up] = [corner + rng.uniform(0, 4.5), mouth - rng.uniform(2, 6)]
-    const [curve, lean] = [rng.uniform(2.5, 5), rng.uniform(-1.5, 3)]
-    const length = byAge(9, 24) * rng.uniform(0.75, 1.1)
+    const [across, up] = [corner + rng.uniform(1, 2.5), mouth - rng.uniform(1, 2.5)]
+    const [curve, lean] = [rng.uniform(2, 4.5), rng.uniform(-1, 4)]
+    const length = byAge(10, 27) * rng.uniform(0.8, 1.1)
     guides.push({
       path: bezierPath(
         side,
         [across, up],
-        [across + curve, up - 0.35 * length],
-        [across + curve + 0.5 * lean, up - 0.7 * length],
+        [across + curve, up - 0.3 * length],
+        [across + curve + 0.6 * lean, up - 0.7 * length],
         [across + lean, up - length],
       ),
-      width: byAge(4.4, 7),
-      depth: byAge(0.4, 0.85) * rng.uniform(0.8, 1),
-      depths: [0.3, 0.8, 1, 0.8, 0.5, 0.3],
-      taper: [0.5, 0.5],
-      shoulder: side > 0 ? [0.6, 0.4] : [0.4, 0.6],
+      width: byAge(3.4, 4.6),
+      depth: byAge(0.4, 0.75) * rng.uniform(0.8, 1),
+      depths: [0.55, 0.9, 1, 0.85, 0.6, 0.35],
+      taper: [0.35, 0.6],
+      shoulder: side > 0 ? [0.5, 0.2] : [0.2, 0.5],
       softness: 1,
     })
   }
@@ -71,12 +72,12 @@ export function mouthCorner(
     name: `mouthCorner${name}`,
     cause: { [`mouthDimple${name}`]: 1, [`mouthFrown${name}`]: 0.6, [`mouthSmile${name}`]: 0.2 },
     guides,
-    spacing: 6,
+    spacing: 9,
     creasedFraction: byAge(0.4, 0.7),
     maxDepth: byAge(0.5, 1),
     atRest: 0.45,
     assumedCompression: COMPRESSION,
-    reach: 3,
-    feather: 4,
+    reach: 4,
+    feather: 5,
   }
 }

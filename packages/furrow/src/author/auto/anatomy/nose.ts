@@ -14,15 +14,15 @@ import {
 } from './region.ts'
 
 /** Distances from the inner corner of the eye, in millimetres. With distance, folds fade in across `START`, and out across `END`. */
-const START = [3, 9] as const
-const END = [20, 31] as const
+const START = [3, 8] as const
+const END = [22, 34] as const
 /** Directions from the corner of the eye, in degrees below the horizontal. Folds start at the first direction and have full strength at the second. */
 const UPPER_EDGE = [-14, 10] as const
 const CHEEK = [80, 52] as const
 /** Distances from the ridge of the nose, in millimetres. Folds start at the first distance and have full strength at the second. */
-const RIDGE = [0, 6] as const
+const RIDGE = [-1, 4] as const
 /** Factor on the slope of the folds. With a factor of 1, they would lie on lines through the corner of the eye. */
-const FLATTENING = 0.52
+const FLATTENING = 0.85
 /** Distance, in millimetres, by which the flattened patch extends beyond the folds (see `SkinFilm.isFlattened`). */
 const BORDER = 6
 
@@ -61,9 +61,9 @@ function bunnyLines(
     thickness: () => thickness,
     density: densityOf('nose'),
     pull: pullAround([side * corner, up], FLATTENING),
-    variation: { thickness: 0.25, critical: 0.25, size: 5 },
+    variation: { thickness: 0.3, critical: 0.14, size: 9 },
     noise: rngOf(`nose${name}`).film(),
-    style: { width: byAge(1.4, 1.8), depth: 1, taper: [0.5, 0.5], shoulder: [1, 1], softness: 0.85 },
+    style: { width: byAge(1.8, 2.3), depth: 1, taper: [0.5, 0.5], shoulder: [1, 1], softness: 0.85 },
   }
   return {
     name: `nose${name}`,
@@ -71,7 +71,7 @@ function bunnyLines(
     film,
     spacing: filmWavelength(thickness) / film.density,
     creasedFraction: byAge(0.45, 0.85),
-    maxDepth: byAge(0.3, 0.55),
+    maxDepth: byAge(0.27, 0.48),
     atRest: 0.15,
     reach: 3,
     feather: 5,

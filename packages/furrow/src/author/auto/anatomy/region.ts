@@ -132,6 +132,10 @@ export interface FaceContext {
   byAge(at20: number, at80: number): number
   /** Returns the distance of the outermost skin from the head's axis in millimetres; undefined without skin. */
   radiusAt(point: ChartPoint): number | undefined
+  /** Returns where an expression, given by ARKit names, moves the skin at a point: its position in face coordinates; undefined without skin. */
+  posedBy(
+    expression: Readonly<Record<string, number>>,
+  ): (point: ChartPoint) => [x: number, y: number, z: number] | undefined
   /** Returns where an expression, given by ARKit names, moves the skin around a point. Points without skin stay where they are. */
   motionOf(expression: Readonly<Record<string, number>>): (point: ChartPoint) => ChartPoint
   /** Returns the opening of an eye (see `eyeOpening`), which is computed once. */

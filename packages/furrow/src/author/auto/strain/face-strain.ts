@@ -59,11 +59,18 @@ export function faceContext(
       openings.set(side, opening)
       return opening
     },
+    posedBy: (expression: Readonly<Record<string, number>>) => {
+      const pose = poseOf(find, expression)
+      return (point: ChartPoint) => posedPoint({ chart, surface, offsets }, pose, point)
+    },
     motionOf: (expression: Readonly<Record<string, number>>) => {
       const pose = poseOf(find, expression)
       return ([across, up]: ChartPoint): ChartPoint => {
         const around = AROUND.flatMap((x) => AROUND.map((y) => [across + x, up + y] as const))
-        const moved = around.map((point) => movedPoint({ chart, surface, offsets }, pose, point))
+        const moved = around.map((point) => {
+          const posed = posedPoint({ chart, surface, offsets }, pose, point)
+          return posed ? unroll(...posed) : point
+        })
         const motion = (k: 0 | 1) =>
           moved.reduce((sum, point, i) => sum + point[k] - around[i][k], 0) / around.length
         return [across + motion(0), up + motion(1)]
@@ -75,24 +82,24 @@ export function faceContext(
   }
 }
 
-function movedPoint(
+function posedPoint(
   { chart, surface, offsets }: Pick<DetectedFace, 'chart' | 'surface' | 'offsets'>,
   pose: Pose,
   point: ChartPoint,
-): ChartPoint {
+): [x: number, y: number, z: number] | undefined {
   const found = chart.find(point)
-  if (!found) return point
+  if (!found) return undefined
   const weights = new Float64Array(3)
   barycentricsAt(weights, surface, found.triangle, Float64Array.from(found.position))
   const corners = cornersOf(surface, found.triangle)
-  const [x, y, z] = found.position.map((value, k) => {
-    let sum = value
+  const posed = (k: 0 | 1 | 2) => {
+    let sum = found.position[k]
     for (const [target, weight] of pose)
       for (const [c, corner] of corners.entries())
         sum += weight * weights[c] * offsets[target][3 * corner + k]
     return sum
-  })
-  return unroll(x, y, z)
+  }
+  return [posed(0), posed(1), posed(2)]
 }
 
 /**
