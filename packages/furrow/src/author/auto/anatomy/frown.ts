@@ -49,13 +49,14 @@ function glabella(
     shoulder: [1, 1],
     softness: byAge(0.9, 0.8),
   })
-  // Many people frown more on one side, and the lines of a face are more or less parallel.
-  const face = rngOf('glabella')
-  const weaker = Math.max(0, -side * face.across(1))
-  const leaning = face.uniform(0.5, 6)
+  // Many people frown more on one side, and the lines of both sides are more or less parallel.
+  const both = rngOf('glabellaLeft')
+  const [leaning, onRight] = [both.uniform(0.5, 6), both.jitter(1)]
+  const [weakerLeft, weakerRight] = [Math.max(0, onRight), Math.max(0, -onRight)]
+  const weaker = side > 0 ? weakerLeft : rng.towards(weakerLeft, weakerRight)
   const main = inner * rng.uniform(0.42, 0.6)
   const extent = [rng.uniform(-12, -8), rng.uniform(11, 18) - 5 * weaker] as const
-  const guides = [line(main, extent, leaning + rng.jitter(1), byAge(4, 5.4), 1 - 0.45 * weaker)]
+  const guides = [line(main, extent, leaning + rng.jitter(1), byAge(4, 5.4), 1 - 0.3 * weaker)]
   // The corrugator folds the skin outside its main line again. Few people have a line between the two main lines.
   const beside = main + rng.uniform(4, 5.5)
   if (ageFraction > rng.uniform(0.1, 0.5))
@@ -76,8 +77,8 @@ function glabella(
     guides,
     spacing: 11,
     creasedFraction: byAge(0.6, 1),
-    maxDepth: byAge(1.05, 1.6),
-    atRest: 0.3,
+    maxDepth: byAge(1.1, 1.75),
+    atRest: 0.33,
     reach: 5,
     feather: 6,
     influence: ([across]) => fade(side * across, -MIDDLE, MIDDLE),

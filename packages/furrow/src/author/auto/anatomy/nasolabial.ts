@@ -62,7 +62,7 @@ export function nasolabial(context: FaceContext, side: Side, name: string): Face
     guides: [
       {
         path: intoCrease(posedBy(smile), relaxedPath(moved, path)),
-        width: byAge(4, 5),
+        width: byAge(3.8, 4.6),
         depth: 1,
         depths: DEPTHS,
         taper: [0.08, 0.45],
