@@ -10,6 +10,8 @@ import {
   type Side,
 } from './region.ts'
 
+/** Fraction of length that the skin between the brows loses. Blendshapes of many heads lower the brows without moving them together. */
+const COMPRESSION = 0.12
 /** Half the width, in millimetres, of the transition between the left and the right area. */
 const MIDDLE = 2
 
@@ -56,7 +58,7 @@ function glabella(
   const weaker = side > 0 ? weakerLeft : rng.towards(weakerLeft, weakerRight)
   const main = inner * rng.uniform(0.42, 0.6)
   const extent = [rng.uniform(-12, -8), rng.uniform(11, 18) - 5 * weaker] as const
-  const guides = [line(main, extent, leaning + rng.jitter(1), byAge(4, 5.4), 1 - 0.3 * weaker)]
+  const guides = [line(main, extent, leaning + rng.jitter(1), byAge(3.7, 4.1), 1 - 0.15 * weaker)]
   // The corrugator folds the skin outside its main line again. Few people have a line between the two main lines.
   const beside = main + rng.uniform(4, 5.5)
   if (ageFraction > rng.uniform(0.1, 0.5))
@@ -64,21 +66,24 @@ function glabella(
       line(
         beside,
         [-6, rng.uniform(7, 14)],
-        rng.uniform(0.5, 3),
+        leaning + rng.uniform(-0.5, 1.5),
         3.6,
         byAge(0.35, 0.6) * rng.uniform(0.7, 1),
       ),
     )
   if (ageFraction > rng.uniform(0.4, 1.2))
-    guides.push(line(main - 3.8, [-5, rng.uniform(6, 12)], rng.uniform(-1, 1), 3, rng.uniform(0.25, 0.4)))
+    guides.push(
+      line(main - 3.8, [-5, rng.uniform(6, 12)], leaning + rng.uniform(-1.5, 0.5), 3, rng.uniform(0.25, 0.4)),
+    )
   return {
     name: `glabella${name}`,
     cause: { [`browDown${name}`]: 1, [`browDown${side > 0 ? 'Right' : 'Left'}`]: 0.5 },
     guides,
     spacing: 11,
     creasedFraction: byAge(0.6, 1),
-    maxDepth: byAge(1.1, 1.75),
-    atRest: 0.33,
+    maxDepth: byAge(1.22, 1.65),
+    atRest: 0.36,
+    assumedCompression: COMPRESSION,
     reach: 5,
     feather: 6,
     influence: ([across]) => fade(side * across, -MIDDLE, MIDDLE),
