@@ -1,6 +1,7 @@
 import type { MorphDriver } from '../../../drivers/morph/definition.ts'
 import { Rng } from '../../../math/rng.ts'
-import { clamp } from '../../../math/scalar.ts'
+import { clamp, rounded } from '../../../math/scalar.ts'
+import { length3 } from '../../../math/vector.ts'
 import { shapeNameOf } from '../../shapes/names/hint.ts'
 import type { SkinRegion } from '../anatomy/region.ts'
 import type { CreasedRegion } from '../lines/crease.ts'
@@ -28,6 +29,8 @@ export interface MissingRegion {
 const ONSET = 0.12
 /** Regions whose skin loses less than this fraction of its length across the lines get no driver. */
 const MIN_COMPRESSION = 0.012
+/** Regions whose blendshapes move no skin farther than this get no driver, in millimetres, even if their compression is assumed. */
+const MIN_MOTION = 1
 /** The compression at full activation is at least this fraction of the largest compression by a single target (blendshape). */
 const SINGLE_TARGET = 0.7
 const MAX_TARGETS = 12
@@ -70,6 +73,8 @@ export function fitDriver(
       ? `with ${shapes}, the skin is compressed too little to fold`
       : 'the mesh has no skin where the lines begin'
   if (region.assumedCompression !== undefined) {
+    const motion = largestMotion(offsets, cause)
+    if (motion < MIN_MOTION) return `${shapes} move the skin by at most ${rounded(motion, 10)} mm`
     const targets = [...cause].map(([target, weight]) => ({ name: names[target], weight }))
     return { ...creased, driver: driverOf(region, targets), error: 0 }
   }
@@ -183,4 +188,15 @@ function percent(fraction: number): string {
 /** Rounds a weight to three decimals, to keep files short. */
 export function roundWeight(weight: number): number {
   return Math.round(1000 * weight) / 1000
+}
+
+/** Returns the largest distance, in millimetres, by which a target of a pose moves skin. */
+function largestMotion(offsets: readonly Float64Array[], pose: Pose): number {
+  let most = 0
+  for (const [target, weight] of pose) {
+    const offset = offsets[target]
+    for (let i = 0; i < offset.length; i += 3)
+      most = Math.max(most, Math.abs(weight) * length3(offset[i], offset[i + 1], offset[i + 2]))
+  }
+  return most
 }
